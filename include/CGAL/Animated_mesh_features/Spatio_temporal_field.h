@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_SPATIO_TEMPORAL_FIELD_H
+#define CGAL_ANIMATED_MESH_FEATURES_SPATIO_TEMPORAL_FIELD_H
+
+#include <boost/align/aligned_allocator.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesRef
+
+An `N x F` array of scalars: a value for each of `N` simplices (vertices, sometimes faces) and each of `F` frames.
+
+The frames of a simplex are contiguous, so that whatever acts on the surface (averages over neighbours, sums over
+geodesic balls) is a combination of rows and runs over the frames in vector registers. Rows start at multiples of
+64 bytes; the padding behind a row's last frame is part of the array, is zero at first, and may be overwritten.
+
+Row `i` belongs to the `i`-th element of `vertices(mesh)` (or of `faces(mesh)`).
+
+\tparam FT `float` or `double`.
+*/
+template <class FT_>
+class Spatio_temporal_field
+{
+public:
+  /// the scalar type
+  typedef FT_ FT;
+
+  /// an empty field, 0 x 0.
+  Spatio_temporal_field() = default;
+
+  /// a field of `number_of_rows x number_of_frames` zeros.
+  Spatio_temporal_field(std::size_t number_of_rows, std::size_t number_of_frames)
+    : m_rows(number_of_rows)
+    , m_frames(number_of_frames)
+    , m_stride(padded(number_of_frames))
+    , m_values(number_of_rows * m_stride, FT(0))
+  {
+  }
+
+  std::size_t number_of_rows() const { return m_rows; }
+  std::size_t number_of_frames() const { return m_frames; }
+
+  /// the distance between the starts of two rows, in scalars; at least `number_of_frames()`, a multiple of 64 bytes.
+  std::size_t stride() const { return m_stride; }
+
+  FT& operator()(std::size_t row, std::size_t frame) { return m_values[row * m_stride + frame]; }
+  const FT& operator()(std::size_t row, std::size_t frame) const { return m_values[row * m_stride + frame]; }
+
+  /// the first of the `number_of_frames()` values of a row.
+  FT* row(std::size_t i) { return m_values.data() + i * m_stride; }
+  const FT* row(std::size_t i) const { return m_values.data() + i * m_stride; }
+
+  /// the memory that the values take, in bytes.
+  std::size_t memory() const { return m_values.size() * sizeof(FT); }
+
+  void swap(Spatio_temporal_field& other)
+  {
+    std::swap(m_rows, other.m_rows);
+    std::swap(m_frames, other.m_frames);
+    std::swap(m_stride, other.m_stride);
+    m_values.swap(other.m_values);
+  }
+
+private:
+  // Whole cache lines a row; never a multiple of 4 KiB between rows, which would map the same column of neighbouring
+  // rows to the same set of the L1 cache.
+  static std::size_t padded(std::size_t frames)
+  {
+    const std::size_t line = 64 / sizeof(FT);
+    const std::size_t lines = (std::max)(std::size_t(1), (frames + line - 1) / line);
+    return (lines % 64 == 0 ? lines + 1 : lines) * line;
+  }
+
+  std::size_t m_rows = 0;
+  std::size_t m_frames = 0;
+  std::size_t m_stride = 0;
+  std::vector<FT, boost::alignment::aligned_allocator<FT, 64>> m_values;
+};
+
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_SPATIO_TEMPORAL_FIELD_H
