@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_IO_INDEXED_MESH_H
+#define CGAL_ANIMATED_MESH_FEATURES_IO_INDEXED_MESH_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace IO {
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesIO
+
+A triangle mesh as a file holds it: `N` points and `M` triples of their indices, both in the file's order and counted
+from 0. It may be anything; `to_surface_mesh()` tells whether it is a surface.
+*/
+struct Indexed_mesh
+{
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::array<std::size_t, 3>> triangles;
+};
+
+} // namespace IO
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_IO_INDEXED_MESH_H
