@@ -1,0 +1,292 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_FRAME_SEQUENCE_H
+#define CGAL_ANIMATED_MESH_FEATURES_FRAME_SEQUENCE_H
+
+#include <CGAL/Animated_mesh_features/Animation_report.h>
+#include <CGAL/Animated_mesh_features/Canonical_shape.h>
+#include <CGAL/Animated_mesh_features/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/internal/Flat_animation.h>
+#include <CGAL/Animated_mesh_features/internal/rest_unit.h>
+
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <iterator>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesRef
+
+What `Frame_sequence::set_rest_shape()` does with a rest mesh whose edges are much longer or shorter than those of the
+frames, as happens when the two come in different units.
+*/
+enum class Rest_unit
+{
+  CHECK,   ///< throw if the median ratio of edge lengths, frames to rest, is outside of [1/1.3, 1.3]; the default.
+  RESCALE, ///< scale the rest shape by that ratio.
+  KEEP     ///< take it as it is: the whole body really grows or shrinks.
+};
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesRef
+
+An animation held in memory: one connectivity, `F` frames, and a rest shape. Model of `MeshAnimation`.
+
+Coordinates are converted once, at construction, from whatever kernel they come in; they are kept for each vertex
+contiguously over the frames (`3 N F` scalars). The mesh is kept by reference and must not be modified while the
+sequence is in use. The rest shape is the first frame until one of the `set_rest_...()` functions is called.
+
+Vertices are numbered by their rank in `vertices(mesh)`, also if the mesh's own indices have gaps.
+
+\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph` whose faces are triangles.
+\tparam FT_ `float` or `double`, the scalar of coordinates and of everything computed from them. `float` halves the
+  memory; its rounding is about 10^-7 of the coordinates.
+*/
+template <class TriangleMesh, class FT_ = double>
+class Frame_sequence
+{
+  typedef typename CGAL::dynamic_vertex_property_t<std::size_t> Index_tag;
+
+public:
+  typedef TriangleMesh Triangle_mesh;
+  typedef FT_ FT;
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  typedef typename CGAL::Simple_cartesian<FT>::Point_3 Point_3;
+
+  /// readable: vertex descriptor to rank in `vertices(mesh)`.
+  typedef typename boost::property_map<TriangleMesh, Index_tag>::const_type Vertex_index_map;
+
+  /// readable: vertex descriptor to position in one frame, or in the rest shape. Valid as long as the sequence.
+  class Point_map
+  {
+  public:
+    typedef vertex_descriptor key_type;
+    typedef Point_3 value_type;
+    typedef Point_3 reference;
+    typedef boost::readable_property_map_tag category;
+
+    friend reference get(const Point_map& map, const key_type& v)
+    {
+      const std::size_t i = get(map.m_index, v);
+      if (map.m_frame == rest) {
+        const Rest_shape::Point& p = map.m_animation->rest.points()[i];
+        return Point_3(FT(p[0]), FT(p[1]), FT(p[2]));
+      }
+      return Point_3(map.m_animation->x(i, map.m_frame), map.m_animation->y(i, map.m_frame),
+                     map.m_animation->z(i, map.m_frame));
+    }
+
+  private:
+    friend class Frame_sequence;
+    static constexpr std::size_t rest = std::size_t(-1);
+    Point_map(const internal::Flat_animation<FT>* animation, Vertex_index_map index, std::size_t frame)
+      : m_animation(animation)
+      , m_index(index)
+      , m_frame(frame)
+    {
+    }
+    const internal::Flat_animation<FT>* m_animation;
+    Vertex_index_map m_index;
+    std::size_t m_frame;
+  };
+
+  /*!
+  \param mesh the connectivity. Borders, several components, isolated vertices and triangles that are degenerate are
+    allowed, see `report()`.
+  \param frames a range with an element for each frame: either a readable property map from vertex descriptor to a
+    point of any \cgal kernel, or a range of such points in the order of `vertices(mesh)`.
+  \param frame_duration the time between two frames, in seconds.
+
+  \throw Input_error if a face is no triangle, a frame has another number of points than the mesh has vertices, a
+    coordinate is not finite, there are fewer than 3 frames, or `frame_duration` is not positive.
+  */
+  template <class FrameRange>
+  Frame_sequence(const TriangleMesh& mesh, const FrameRange& frames, double frame_duration)
+    : Frame_sequence(mesh)
+  {
+    const std::size_t number_of_frames = std::size_t(std::distance(std::begin(frames), std::end(frames)));
+    internal::check_clock(number_of_frames, frame_duration);
+    m_animation.resize(m_vertices.size(), number_of_frames);
+    m_animation.frame_duration = frame_duration;
+    std::size_t f = 0;
+    for (const auto& frame : frames) insert_frame(m_animation, f++, frame);
+    set_rest_frame(0);
+  }
+
+  /*!
+  takes over coordinates that already are in the package's layout, without copying: `N x F` each, row `i` for the
+  `i`-th vertex of `mesh`.
+  \throw Input_error as above.
+  */
+  Frame_sequence(const TriangleMesh& mesh,
+                 Spatio_temporal_field<FT> x,
+                 Spatio_temporal_field<FT> y,
+                 Spatio_temporal_field<FT> z,
+                 double frame_duration)
+    : Frame_sequence(mesh)
+  {
+    for (const Spatio_temporal_field<FT>* c : {&x, &y, &z})
+      if (c->number_of_rows() != m_vertices.size() || c->number_of_frames() != x.number_of_frames())
+        throw Input_error("the coordinates are " + std::to_string(c->number_of_rows()) + " x " +
+                          std::to_string(c->number_of_frames()) + ", the mesh has " +
+                          std::to_string(m_vertices.size()) + " vertices");
+    internal::check_clock(x.number_of_frames(), frame_duration);
+    m_animation.x.swap(x);
+    m_animation.y.swap(y);
+    m_animation.z.swap(z);
+    m_animation.frame_duration = frame_duration;
+    for (std::size_t v = 0; v < m_vertices.size(); ++v)
+      for (std::size_t f = 0; f < number_of_frames(); ++f)
+        if (!m_animation.point(v, f).allFinite())
+          throw Input_error("frame " + std::to_string(f) + ": the position of vertex " + std::to_string(v) +
+                            " is not finite");
+    set_rest_frame(0);
+  }
+
+  /// \name The rest shape
+  /// @{
+
+  /// takes frame `f` as rest shape.
+  /// \throw Input_error if there is no such frame.
+  void set_rest_frame(std::size_t f)
+  {
+    if (f >= number_of_frames())
+      throw Input_error("there is no frame " + std::to_string(f) + " to take as rest shape; frames are 0 to " +
+                        std::to_string(number_of_frames() - 1));
+    set_rest_points(m_animation.frame(f));
+  }
+
+  /*!
+  takes a separate shape of the same connectivity.
+  \param points a readable property map from vertex descriptor to point, or a range of points in the order of
+    `vertices(mesh)`.
+  \param unit what to do if its edges are much longer or shorter than those of the frames.
+  \returns the factor by which the points were scaled: 1, unless `unit` is `Rest_unit::RESCALE`.
+  \throw Input_error if the number of points or the unit differ, or a coordinate is not finite.
+  */
+  template <class Points>
+  double set_rest_shape(const Points& points, Rest_unit unit = Rest_unit::CHECK)
+  {
+    internal::Flat_animation<double> one;
+    one.resize(m_vertices.size(), 1);
+    try {
+      insert_frame(one, 0, points);
+    } catch (const Input_error& e) {
+      throw Input_error("the rest shape: " + std::string(e.what()));
+    }
+    std::vector<Rest_shape::Point> rest = one.frame(0);
+    double factor = 1;
+    if (unit != Rest_unit::KEEP) {
+      const double ratio = internal::median_edge_ratio(m_animation, rest);
+      if (unit == Rest_unit::RESCALE) {
+        factor = ratio;
+        for (Rest_shape::Point& p : rest) p *= factor;
+      } else {
+        internal::check_rest_unit(ratio);
+      }
+    }
+    set_rest_points(std::move(rest));
+    return factor;
+  }
+
+  /*!
+  takes the canonical shape averaged over all frames, see `canonical_shape()`.
+  \throw Numerical_error if the surface cannot be rebuilt.
+  */
+  void set_rest_average() { set_rest_points(canonical_shape(m_animation)); }
+
+  /// @}
+
+  /// \name MeshAnimation
+  /// @{
+  const TriangleMesh& triangle_mesh() const { return *m_mesh; }
+  std::size_t number_of_frames() const { return m_animation.number_of_frames(); }
+
+  /// seconds.
+  double frame_duration() const { return m_animation.frame_duration; }
+  Point_map point_map(std::size_t frame) const { return Point_map(&m_animation, m_index, frame); }
+  Point_map rest_point_map() const { return Point_map(&m_animation, m_index, Point_map::rest); }
+  /// @}
+
+  std::size_t number_of_vertices() const { return m_vertices.size(); }
+
+  /// the vertices in the order of `vertices(mesh)`.
+  const std::vector<vertex_descriptor>& vertex_descriptors() const { return m_vertices; }
+  Vertex_index_map vertex_index_map() const { return m_index; }
+  const Rest_shape& rest_shape() const { return m_animation.rest; }
+
+  /// what is unusual about the mesh and nevertheless allowed.
+  Animation_report report() const { return Animated_mesh_features::report(m_animation.rest); }
+
+  /// \cond SKIP_IN_MANUAL
+  const internal::Flat_animation<FT>& flat_animation() const { return m_animation; }
+  /// \endcond
+
+private:
+  explicit Frame_sequence(const TriangleMesh& mesh)
+    : m_mesh(&mesh)
+    , m_index(get(Index_tag(), mesh))
+  {
+    for (vertex_descriptor v : vertices(mesh)) {
+      put(m_index, v, m_vertices.size());
+      m_vertices.push_back(v);
+    }
+    m_animation.rest = Rest_shape(mesh, m_index, m_vertices.size());
+  }
+
+  // Not the other way round: some property maps, such as those of Surface_mesh, are ranges as well, but with an element
+  // for every removed vertex.
+  template <class T, class = void>
+  struct Is_point_map : std::false_type
+  {
+  };
+  template <class T>
+  struct Is_point_map<T, std::void_t<decltype(get(std::declval<const T&>(), std::declval<vertex_descriptor>()))>>
+    : std::true_type
+  {
+  };
+
+  template <class Scalar, class Points>
+  void insert_frame(internal::Flat_animation<Scalar>& animation, std::size_t f, const Points& points) const
+  {
+    if constexpr (Is_point_map<Points>::value) {
+      for (std::size_t v = 0; v < m_vertices.size(); ++v) animation.set_point(v, f, get(points, m_vertices[v]));
+    } else {
+      const std::size_t n = std::size_t(std::distance(std::begin(points), std::end(points)));
+      if (n != m_vertices.size())
+        throw Input_error("frame " + std::to_string(f) + " has " + std::to_string(n) + " points, the mesh has " +
+                          std::to_string(m_vertices.size()) + " vertices");
+      std::size_t v = 0;
+      for (const auto& p : points) animation.set_point(v++, f, p);
+    }
+  }
+
+  void set_rest_points(std::vector<Rest_shape::Point> points) { m_animation.rest.set_points(std::move(points)); }
+
+  const TriangleMesh* m_mesh;
+  Vertex_index_map m_index;
+  std::vector<vertex_descriptor> m_vertices;
+  internal::Flat_animation<FT> m_animation;
+};
+
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_FRAME_SEQUENCE_H

@@ -1,0 +1,209 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_REST_SHAPE_H
+#define CGAL_ANIMATED_MESH_FEATURES_REST_SHAPE_H
+
+#include <CGAL/Animated_mesh_features/Compressed_rows.h>
+#include <CGAL/Animated_mesh_features/exceptions.h>
+
+#include <CGAL/boost/graph/helpers.h>
+#include <CGAL/boost/graph/iterator.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesRef
+
+The undeformed surface in the form in which the policies (geodesic balls, spatial filters) see it: triangles, edges
+and neighbours by index, points in double precision. Vertex `i` is the `i`-th element of `vertices(mesh)`, triangle
+`i` the `i`-th element of `faces(mesh)`.
+
+Triangles start at their smallest vertex, edges and neighbours are sorted: whatever the model of `FaceGraph` from which
+the shape was built, sums run in the same order and give the same bits.
+*/
+class Rest_shape
+{
+public:
+  typedef Compressed_rows::Index Index;
+  typedef std::array<Index, 3> Triangle;
+  typedef Eigen::Vector3d Point;
+
+  /// stands for the missing triangle at a border edge.
+  static constexpr Index none = (std::numeric_limits<Index>::max)();
+
+  /// An edge with `source < target`; `left` is the third vertex of the triangle that runs from `source` to `target`,
+  /// `right` that of the other triangle.
+  struct Edge
+  {
+    Index source, target, left, right;
+    bool is_border() const { return left == none || right == none; }
+  };
+
+  Rest_shape() = default;
+
+  /// takes over the connectivity of `mesh`; all points are at the origin until `set_points()` is called.
+  /// \tparam VertexIndexMap readable, vertex descriptor to rank in `vertices(mesh)`.
+  /// \throw Input_error if a face is no triangle, or if there are no faces, or more than 2^32 - 2 vertices.
+  template <class TriangleMesh, class VertexIndexMap>
+  Rest_shape(const TriangleMesh& mesh, VertexIndexMap index, std::size_t number_of_vertices)
+  {
+    if (number_of_vertices >= none) throw Input_error("the mesh has more than 2^32 - 2 vertices");
+    m_points.assign(number_of_vertices, Point::Zero());
+    read_triangles(mesh, index);
+    read_edges(mesh, index);
+    connect();
+  }
+
+  /// \name Connectivity
+  /// @{
+  std::size_t number_of_vertices() const { return m_points.size(); }
+  const std::vector<Triangle>& triangles() const { return m_triangles; }
+  const std::vector<Edge>& edges() const { return m_edges; }
+
+  /// the vertices that share an edge with each vertex, ascending.
+  const Compressed_rows& neighbours() const { return m_neighbours; }
+
+  /// the triangles around each vertex, in an order that depends on the indices of their vertices only.
+  const Compressed_rows& incident_triangles() const { return m_incident_triangles; }
+
+  /// the edges at each vertex, in the order of `neighbours()`.
+  const Compressed_rows& incident_edges() const { return m_incident_edges; }
+
+  bool is_border(std::size_t v) const { return m_is_border[v] != 0; }
+  /// @}
+
+  /// \name Geometry
+  /// @{
+  const std::vector<Point>& points() const { return m_points; }
+
+  /// the area of each triangle.
+  const std::vector<double>& areas() const { return m_areas; }
+
+  /// the length of each edge.
+  const std::vector<double>& lengths() const { return m_lengths; }
+
+  double mean_edge_length() const { return m_mean_edge_length; }
+  double bounding_box_diagonal() const { return m_diagonal; }
+
+  void set_points(std::vector<Point> points)
+  {
+    m_points = std::move(points);
+    measure();
+  }
+  /// @}
+
+private:
+  template <class TriangleMesh, class VertexIndexMap>
+  void read_triangles(const TriangleMesh& mesh, VertexIndexMap index)
+  {
+    for (auto f : faces(mesh)) {
+      const auto h = halfedge(f, mesh);
+      if (!is_triangle(h, mesh))
+        throw Input_error("face " + std::to_string(m_triangles.size()) + " has " + std::to_string(degree(f, mesh)) +
+                          " vertices, not 3; triangulate the mesh first");
+      Triangle t = {{Index(get(index, source(h, mesh))), Index(get(index, target(h, mesh))),
+                     Index(get(index, target(next(h, mesh), mesh)))}};
+      std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+      m_triangles.push_back(t);
+    }
+    if (m_triangles.empty()) throw Input_error("the mesh has no faces");
+  }
+
+  template <class TriangleMesh, class VertexIndexMap>
+  void read_edges(const TriangleMesh& mesh, VertexIndexMap index)
+  {
+    for (auto e : CGAL::edges(mesh)) {
+      auto h = halfedge(e, mesh);
+      auto o = opposite(h, mesh);
+      if (CGAL::is_border(h, mesh) && CGAL::is_border(o, mesh)) continue; // an edge that no face uses
+      if (get(index, target(h, mesh)) < get(index, source(h, mesh))) std::swap(h, o);
+      const auto third = [&](auto g) {
+        return CGAL::is_border(g, mesh) ? none : Index(get(index, target(next(g, mesh), mesh)));
+      };
+      m_edges.push_back({Index(get(index, source(h, mesh))), Index(get(index, target(h, mesh))), third(h), third(o)});
+    }
+    std::sort(m_edges.begin(), m_edges.end(), [](const Edge& a, const Edge& b) {
+      return std::tie(a.source, a.target, a.left, a.right) < std::tie(b.source, b.target, b.left, b.right);
+    });
+  }
+
+  void connect()
+  {
+    const std::size_t n = number_of_vertices();
+    m_is_border.assign(n, 0);
+    std::vector<std::vector<std::pair<Index, Index>>> edges_at(n); // (neighbour, edge)
+    for (std::size_t i = 0; i < m_edges.size(); ++i) {
+      const Edge& e = m_edges[i];
+      edges_at[e.source].emplace_back(e.target, Index(i));
+      edges_at[e.target].emplace_back(e.source, Index(i));
+      if (e.is_border()) m_is_border[e.source] = m_is_border[e.target] = 1;
+    }
+    std::vector<Index> row;
+    for (std::size_t v = 0; v < n; ++v) {
+      std::sort(edges_at[v].begin(), edges_at[v].end());
+      row.clear();
+      for (const auto& ne : edges_at[v])
+        if (row.empty() || row.back() != ne.first) row.push_back(ne.first);
+      m_neighbours.push_back(row.begin(), row.end());
+      row.clear();
+      for (const auto& ne : edges_at[v]) row.push_back(ne.second);
+      m_incident_edges.push_back(row.begin(), row.end());
+    }
+    std::vector<std::vector<Index>> triangles_at(n);
+    for (std::size_t t = 0; t < m_triangles.size(); ++t)
+      for (Index v : m_triangles[t]) triangles_at[v].push_back(Index(t));
+    for (std::vector<Index>& r : triangles_at)
+      std::sort(r.begin(), r.end(), [this](Index a, Index b) { return m_triangles[a] < m_triangles[b]; });
+    m_incident_triangles = Compressed_rows(std::move(triangles_at));
+  }
+
+  void measure()
+  {
+    m_lengths.resize(m_edges.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < m_edges.size(); ++i)
+      sum += m_lengths[i] = (m_points[m_edges[i].source] - m_points[m_edges[i].target]).norm();
+    m_mean_edge_length = sum / double(m_edges.size());
+    m_areas.resize(m_triangles.size());
+    for (std::size_t i = 0; i < m_triangles.size(); ++i) {
+      const Triangle& t = m_triangles[i];
+      m_areas[i] = (m_points[t[1]] - m_points[t[0]]).cross(m_points[t[2]] - m_points[t[0]]).norm() / 2;
+    }
+    Point low = m_points.front(), high = low;
+    for (const Point& p : m_points) {
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    m_diagonal = (high - low).norm();
+  }
+
+  std::vector<Triangle> m_triangles;
+  std::vector<Edge> m_edges;
+  Compressed_rows m_neighbours, m_incident_triangles, m_incident_edges;
+  std::vector<char> m_is_border;
+  std::vector<Point> m_points;
+  std::vector<double> m_areas, m_lengths;
+  double m_mean_edge_length = 0;
+  double m_diagonal = 0;
+};
+
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_REST_SHAPE_H
