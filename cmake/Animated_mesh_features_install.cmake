@@ -1,0 +1,39 @@
+# Headers, the package files for find_package(), and the command-line programs (component "programs").
+
+include(CMakePackageConfigHelpers)
+
+set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/Animated_mesh_features")
+
+install(TARGETS Animated_mesh_features EXPORT Animated_mesh_features_targets)
+install(EXPORT Animated_mesh_features_targets
+  FILE Animated_mesh_features_targets.cmake
+  NAMESPACE Animated_mesh_features::
+  DESTINATION "${package_folder}"
+  COMPONENT development)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/"
+  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+  COMPONENT development
+  FILES_MATCHING PATTERN "*.h")
+
+configure_package_config_file(
+  "${PROJECT_SOURCE_DIR}/cmake/Animated_mesh_featuresConfig.cmake.in"
+  "${PROJECT_BINARY_DIR}/Animated_mesh_featuresConfig.cmake"
+  INSTALL_DESTINATION "${package_folder}"
+  NO_SET_AND_CHECK_MACRO)
+# Before version 1.0 a minor version may change an interface.
+write_basic_package_version_file(
+  "${PROJECT_BINARY_DIR}/Animated_mesh_featuresConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion
+  ARCH_INDEPENDENT)
+install(FILES
+  "${PROJECT_BINARY_DIR}/Animated_mesh_featuresConfig.cmake"
+  "${PROJECT_BINARY_DIR}/Animated_mesh_featuresConfigVersion.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/Animated_mesh_features_dependencies.cmake"
+  DESTINATION "${package_folder}"
+  COMPONENT development)
+
+foreach(program IN ITEMS detect_features make_animation)
+  if(TARGET ${program})
+    install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT programs)
+  endif()
+endforeach()

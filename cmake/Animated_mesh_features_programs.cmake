@@ -1,0 +1,58 @@
+# How the command-line programs, the examples and the tests of this package are compiled.
+
+# Optional libraries of single programs, found once. A program that a table in a CMakeLists.txt assigns one to gets the
+# definition of that library if it is there, and tells its user (or is skipped) if it is not.
+find_package(OpenMesh CONFIG QUIET)
+
+function(animated_mesh_features_add_executable target source)
+  add_executable(${target} ${source})
+  target_link_libraries(${target} PRIVATE Animated_mesh_features::Animated_mesh_features)
+  target_compile_definitions(${target} PRIVATE ANIMATED_MESH_FEATURES_VERSION="${PROJECT_VERSION}")
+  set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
+  if(MSVC)
+    target_compile_options(${target} PRIVATE /W4 $<$<BOOL:${ANIMATED_MESH_FEATURES_WERROR}>:/WX>)
+  else()
+    target_compile_options(${target} PRIVATE -Wall -Wextra $<$<BOOL:${ANIMATED_MESH_FEATURES_WERROR}>:-Werror>)
+  endif()
+  if(ANIMATED_MESH_FEATURES_SANITIZE)
+    # An undefined behaviour must end the program with an error, or no test would fail on it.
+    target_compile_options(${target} PRIVATE
+      -fsanitize=${ANIMATED_MESH_FEATURES_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1)
+    target_link_options(${target} PRIVATE -fsanitize=${ANIMATED_MESH_FEATURES_SANITIZE})
+  endif()
+endfunction()
+
+# Compiles quickly rather than to run quickly, and with all assertions: these come after CMAKE_CXX_FLAGS_<CONFIG> on the
+# command line.
+function(animated_mesh_features_keep_checks target)
+  if(NOT MSVC)
+    separate_arguments(optimization UNIX_COMMAND "${ANIMATED_MESH_FEATURES_TEST_OPTIMIZATION}")
+    target_compile_options(${target} PRIVATE ${optimization} -UNDEBUG)
+  endif()
+endfunction()
+
+# Programs under sanitizers run several times longer.
+set(ANIMATED_MESH_FEATURES_TEST_TIMEOUT 300)
+set(ANIMATED_MESH_FEATURES_TEST_ENVIRONMENT "")
+if(ANIMATED_MESH_FEATURES_SANITIZE)
+  set(ANIMATED_MESH_FEATURES_TEST_TIMEOUT 1200)
+  if(ANIMATED_MESH_FEATURES_SANITIZE MATCHES "thread")
+    # The TBB of a distribution is not instrumented: what it synchronises looks like races.
+    list(APPEND ANIMATED_MESH_FEATURES_TEST_ENVIRONMENT
+      "TSAN_OPTIONS=ignore_noninstrumented_modules=1 suppressions=${PROJECT_SOURCE_DIR}/test/Animated_mesh_features/tsan.supp")
+  endif()
+endif()
+
+# A CTest test with a folder of its own to run in, so that tests can run beside each other whatever files they write.
+# Exit code 77 means: could not run here.
+function(animated_mesh_features_add_test name)
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/run/${name}")
+  file(MAKE_DIRECTORY "${folder}")
+  add_test(NAME ${name} COMMAND ${ARGN} WORKING_DIRECTORY "${folder}")
+  set_tests_properties(${name} PROPERTIES
+    TIMEOUT ${ANIMATED_MESH_FEATURES_TEST_TIMEOUT}
+    SKIP_RETURN_CODE 77)
+  if(ANIMATED_MESH_FEATURES_TEST_ENVIRONMENT)
+    set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT ${ANIMATED_MESH_FEATURES_TEST_ENVIRONMENT})
+  endif()
+endfunction()
