@@ -1,12 +1,12 @@
 # How the command-line programs, the examples and the tests of this package are compiled.
 
-# Optional libraries of single programs, found once. A program that a table in a CMakeLists.txt assigns one to gets the
-# definition of that library if it is there, and tells its user (or is skipped) if it is not.
+# An optional library of single tests.
 find_package(OpenMesh CONFIG QUIET)
 
-function(animated_mesh_features_add_executable target source)
-  add_executable(${target} ${source})
+function(animated_mesh_features_set_up target)
   target_link_libraries(${target} PRIVATE Animated_mesh_features::Animated_mesh_features)
+  # The generators of test animations are shared by programs, examples and tests.
+  target_include_directories(${target} PRIVATE "${PROJECT_SOURCE_DIR}/examples/Animated_mesh_features")
   target_compile_definitions(${target} PRIVATE ANIMATED_MESH_FEATURES_VERSION="${PROJECT_VERSION}")
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF)
   if(MSVC)
@@ -20,6 +20,11 @@ function(animated_mesh_features_add_executable target source)
       -fsanitize=${ANIMATED_MESH_FEATURES_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1)
     target_link_options(${target} PRIVATE -fsanitize=${ANIMATED_MESH_FEATURES_SANITIZE})
   endif()
+endfunction()
+
+function(animated_mesh_features_add_executable target source)
+  add_executable(${target} ${source})
+  animated_mesh_features_set_up(${target})
 endfunction()
 
 # Compiles quickly rather than to run quickly, and with all assertions: these come after CMAKE_CXX_FLAGS_<CONFIG> on the

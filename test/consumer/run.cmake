@@ -41,8 +41,8 @@ set(options
   "-DEXPECT_TBB=${EXPECT_TBB}"
   "-DWAY=${way}"
   "-DVERSION=${VERSION}"
-  # Nothing may be downloaded, so that this changes nothing.
-  -DFETCHCONTENT_FULLY_DISCONNECTED=ON)
+  # The consumer has no build type on purpose: see there.
+  -DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON)
 foreach(package IN ITEMS CGAL Eigen3 Boost TBB)
   if(${package}_DIR)
     list(APPEND options "-D${package}_DIR=${${package}_DIR}")

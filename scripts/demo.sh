@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# From a fresh checkout to features: installs what is missing (Debian, Ubuntu), builds the two programs, generates an
+# animation of a moving figure, detects its features, and shows the strongest ones. Everything is written to the folder
+# demo_output of the checkout.
+
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+bash "$root/scripts/install_dependencies.sh"
+
+cd "$root"
+trap 'give_back "$root/build" "$root/demo_output"' EXIT
+
+say "Building"
+configure build/demo -DCMAKE_BUILD_TYPE=Release \
+  -DANIMATED_MESH_FEATURES_BUILD_TESTS=OFF -DANIMATED_MESH_FEATURES_BUILD_EXAMPLES=OFF
+build build/demo
+programs="$root/build/demo/examples/Animated_mesh_features"
+
+mkdir -p demo_output
+cd demo_output
+
+say "Generating an animation"
+"$programs/make_animation" figure -o animation
+
+say "Detecting features"
+"$programs/detect_features" animation.obj animation.pc2 -o features.json -o features.csv -o features.ply
+
+say "The strongest features"
+# columns by their names in the first line; the rows come strongest first
+awk -F, '
+  NR == 1 {
+    for (i = 1; i <= NF; ++i) column[$i] = i
+    split("time x y z sigma tau strength", needed, " ")
+    for (i in needed)
+      if (!(needed[i] in column)) { print "features.csv has no column " needed[i] > "/dev/stderr"; bad = 1; exit 1 }
+    printf "%10s  %28s  %10s  %10s  %10s\n", "time", "place (x, y, z)", "sigma", "tau", "strength"
+    next
+  }
+  NR <= 11 {
+    place = sprintf("%.4g, %.4g, %.4g", $column["x"], $column["y"], $column["z"])
+    printf "%8.4g s  %28s  %10.4g  %8.4g s  %10.4g\n", $column["time"], place, $column["sigma"], $column["tau"],
+      $column["strength"]
+  }
+  END {
+    if (bad) exit 1
+    printf "\n%d features in all: when (s), where, how large (sigma, in units of the mesh), how long (tau, s)\n", NR - 1
+  }' features.csv
+
+say "Written to $root/demo_output"
+ls -l

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Installs what is missing for building the package on Debian (12 or newer) or Ubuntu (24.04 or newer).
+#
+#   scripts/install_dependencies.sh           compiler, CMake, CGAL, Eigen, Boost, oneTBB
+#   scripts/install_dependencies.sh --tests   also what only the tests need
+
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+packages=(g++ make cmake libcgal-dev libeigen3-dev libboost-dev libtbb-dev)
+# Without these a part of the tests is left out.
+optional=()
+case "${1:-}" in
+  "") ;;
+  --tests)
+    packages+=(ninja-build python3)
+    optional+=(ccache libopenmesh-dev clang)
+    ;;
+  *) die "unknown option: $1" ;;
+esac
+
+install_packages "${packages[@]}" || die "the packages above could not be installed"
+for package in "${optional[@]}"; do
+  install_packages "$package" || echo "going on without $package"
+done
+
+# clang's runtime for sanitizers is a package named after the version of clang
+if [ "${1:-}" = --tests ] && command -v clang++ > /dev/null; then
+  version=$(clang++ -dumpversion | cut -d. -f1)
+  install_packages "libclang-rt-$version-dev" || echo "going on without libclang-rt-$version-dev"
+fi

@@ -1,0 +1,159 @@
+#!/usr/bin/env bash
+# Builds and runs the tests, installing what is missing for that (Debian, Ubuntu).
+#
+#   scripts/test.sh           all stages
+#   scripts/test.sh --quick   the first stage only
+#
+# A stage that cannot run here is skipped, and says why. Returns non-zero if anything failed.
+#
+# CGAL6_DIR, if set, is the folder of a CGALConfig.cmake of CGAL 6; otherwise Debian's package is fetched for stage 4.
+
+set -uo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+quick=false
+case "${1:-}" in
+  "") ;;
+  --quick) quick=true ;;
+  *) die "unknown option: $1" ;;
+esac
+
+bash "$root/scripts/install_dependencies.sh" --tests || exit 1
+cd "$root" || exit 1
+trap 'give_back "$root/build"' EXIT
+
+run_tests()
+{
+  ctest --test-dir "$1" --output-on-failure --parallel "$(job_count)" --no-tests=error
+}
+
+# ---------------------------------------------------------------------------------------------------------- the stages
+# Each returns 0, or 77 after `why` was set: it could not run here.
+
+stage_gcc()
+{
+  configure build/gcc -DCMAKE_CXX_COMPILER=g++ -DANIMATED_MESH_FEATURES_WERROR=ON &&
+    build build/gcc && run_tests build/gcc
+}
+
+# clang++, because it takes two thirds of g++'s time for the same checks.
+stage_sanitizers()
+{
+  local compiler
+  for compiler in clang++ g++; do
+    if echo 'int main() {}' | "$compiler" -fsanitize=address,undefined -x c++ -o build/sanitizer_probe - 2> /dev/null &&
+       build/sanitizer_probe; then
+      echo "compiler: $compiler"
+      # CGAL's headers give g++ false alarms when it instruments them, thus no errors from its warnings
+      configure build/sanitizers -DCMAKE_CXX_COMPILER=$compiler \
+        -DANIMATED_MESH_FEATURES_SANITIZE=address,undefined \
+        -DANIMATED_MESH_FEATURES_WERROR="$([ $compiler = clang++ ] && echo ON || echo OFF)" &&
+        build build/sanitizers && run_tests build/sanitizers
+      return
+    fi
+  done
+  why="neither clang++ nor g++ has the sanitizers' libraries here"
+  return 77
+}
+
+# With NDEBUG, as a user's release build has it, and each header on its own.
+stage_clang()
+{
+  if ! command -v clang++ > /dev/null; then
+    why="clang++ is not here"
+    return 77
+  fi
+  configure build/clang -DCMAKE_CXX_COMPILER=clang++ -DANIMATED_MESH_FEATURES_WERROR=ON \
+    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON &&
+    python3 scripts/compile_only.py build/clang "$(job_count)" -DNDEBUG
+}
+
+# The repository is the one that this machine's apt has for Debian; the checksum is Debian's own.
+fetch_cgal6()
+{
+  local file=libcgal-dev_6.0.1-1_amd64.deb
+  local sum=462110b9e0779ff7a214bb4c1048c0dee475c1522a0ba293d9fd6c7600ace777
+  local package="$root/build/cgal6/$file"
+  local uri
+  mkdir -p "$root/build/cgal6"
+  if ! echo "$sum  $package" | sha256sum --check --status 2> /dev/null; then
+    for uri in $(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Origin: Debian' 2> /dev/null |
+                 sort -u); do
+      /usr/lib/apt/apt-helper -qq download-file "${uri%/}/pool/main/c/cgal/$file" "$package" "SHA256:$sum" \
+        > /dev/null 2>&1 && break
+    done
+  fi
+  echo "$sum  $package" | sha256sum --check --status 2> /dev/null || return 1
+  rm -rf "$root/build/cgal6/unpacked"
+  dpkg-deb -x "$package" "$root/build/cgal6/unpacked" || return 1
+  CGAL6_DIR="$root/build/cgal6/unpacked/usr/lib/x86_64-linux-gnu/cmake/CGAL"
+  [ -f "$CGAL6_DIR/CGALConfig.cmake" ]
+}
+
+stage_cgal6()
+{
+  local compiler=g++
+  if [ -z "${CGAL6_DIR:-}" ]; then
+    if grep -q 'Animated_mesh_features .* with CGAL 6' build/gcc/configure.log; then
+      why="the installed CGAL, with which the other stages ran, is a CGAL 6"
+      return 77
+    fi
+    if ! fetch_cgal6; then
+      why="Debian's package of CGAL 6 cannot be had from this machine's package sources"
+      return 77
+    fi
+  fi
+  if command -v clang++ > /dev/null; then compiler=clang++; fi
+  configure build/cgal6/build -DCMAKE_CXX_COMPILER=$compiler "-DCGAL_DIR=$CGAL6_DIR" \
+    -DANIMATED_MESH_FEATURES_WERROR=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON || return 1
+  if ! grep -q 'Animated_mesh_features .* with CGAL 6' build/cgal6/build/configure.log; then
+    echo "CMake did not take the CGAL 6 in $CGAL6_DIR" >&2
+    return 1
+  fi
+  python3 scripts/compile_only.py build/cgal6/build "$(job_count)" &&
+    ctest --test-dir build/cgal6/build --output-on-failure --tests-regex '^consumer_' --no-tests=error
+}
+
+# --------------------------------------------------------------------------------------------------------- running them
+
+passed=0
+failed=0
+skipped=0
+summary=""
+
+stage()
+{
+  local title="$1" result start=$SECONDS
+  shift
+  say "Stage $title"
+  why=""
+  "$@" < /dev/null
+  result=$?
+  local minutes
+  minutes="$(((SECONDS - start) / 60)):$(printf '%02d' $(((SECONDS - start) % 60)))"
+  if [ $result -eq 0 ]; then
+    passed=$((passed + 1))
+    result="passed"
+  elif [ $result -eq 77 ] && [ -n "$why" ]; then
+    skipped=$((skipped + 1))
+    result="SKIPPED: $why"
+  else
+    failed=$((failed + 1))
+    result="FAILED"
+  fi
+  say "Stage $title: $result ($minutes min)"
+  summary+="  $title: $result ($minutes min)"$'\n'
+}
+
+mkdir -p build
+stage "1, g++: build and run" stage_gcc
+if ! $quick; then
+  stage "2, address and undefined-behaviour sanitizers: build and run" stage_sanitizers
+  stage "3, clang++, NDEBUG, every header alone: compile" stage_clang
+  stage "4, CGAL 6: compile" stage_cgal6
+fi
+
+say "Summary"
+printf '%s\n' "$summary"
+echo "stages: $passed passed, $failed failed, $skipped skipped"
+[ $failed -eq 0 ]
