@@ -1,0 +1,197 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_IO_POINT_CACHE_READER_H
+#define CGAL_ANIMATED_MESH_FEATURES_IO_POINT_CACHE_READER_H
+
+#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/IO/internal/bytes.h>
+#include <CGAL/Animated_mesh_features/IO/internal/file_content.h>
+#include <CGAL/Animated_mesh_features/IO/internal/file_endings.h>
+#include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace IO {
+
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesIO
+
+reads a point cache: the positions of `N` vertices in `F` frames, in single precision, without connectivity. Two
+formats are known, by the ending of the file's name:
+- PC2 (`.pc2`; 3ds Max, Blender, Maya): little-endian; the frames are equidistant, their rate is not told;
+- MDD (`.mdd`; LightWave, Blender): big-endian; each frame has its time (s).
+
+One frame is in memory at a time. Files may be larger than 4 GB. A pipe can be read as well; that it ends early is then
+noticed late.
+*/
+class Point_cache_reader
+{
+public:
+  /*!
+  opens a point cache and reads its header.
+  \throws Input_error if the file cannot be read, is no point cache, is shorter than its header says (the message
+  counts the whole frames there are) or longer, or has no points or no frames.
+  */
+  explicit Point_cache_reader(const std::string& path) : m_path(path), m_file(internal::open_for_reading(path))
+  {
+    const std::string e = internal::ending(path);
+    if (e == ".pc2") {
+      read_pc2_header();
+    } else if (e == ".mdd") {
+      read_mdd_header();
+    } else {
+      fail("unknown kind of point cache \"" + e + "\"; known are .pc2 and .mdd");
+    }
+  }
+
+  std::size_t number_of_points() const { return m_points; }
+  std::size_t number_of_frames() const { return m_frames; }
+
+  /// the time of each frame (s); empty for PC2, which has none.
+  const std::vector<double>& times() const { return m_times; }
+
+  /// the number of the first frame in the program that wrote a PC2 file; 0 for MDD.
+  double start_frame() const { return m_start_frame; }
+
+  /// the distance of the samples of a PC2 file, in frames; 1 for MDD.
+  double sample_rate() const { return m_sample_rate; }
+
+  /*!
+  checks that the cache belongs to a mesh.
+  \throws Input_error if it does not have `number_of_vertices` points.
+  */
+  void check_number_of_points(std::size_t number_of_vertices, const std::string& name_of_mesh) const
+  {
+    if (m_points != number_of_vertices)
+      fail("has " + std::to_string(m_points) + " points, but the mesh " + name_of_mesh + " has " +
+           std::to_string(number_of_vertices) + " vertices");
+  }
+
+  /*!
+  reads all frames in their order; to be called once.
+  \param sink a callable `void(std::size_t f, const float* xyz)` that gets the `3 N` coordinates of frame `f`, vertex by
+         vertex; the memory is valid during the call.
+  \throws Input_error if a position is not finite (the message names frame and vertex) or the file cannot be read.
+  */
+  template <class Frame_sink>
+  void read_frames(Frame_sink sink)
+  {
+    std::vector<float> xyz(3 * m_points);
+    std::vector<char> bytes(frame_size());
+    for (std::size_t f = 0; f < m_frames; ++f) {
+      const std::size_t n = internal::read_bytes(m_file.get(), bytes.data(), bytes.size(), m_path);
+      if (n < bytes.size()) fail_for_size(m_header_size + f * std::uint64_t(frame_size()) + n);
+      for (std::size_t i = 0; i < xyz.size(); ++i)
+        xyz[i] = internal::load<float>(bytes.data() + i * sizeof(float), m_order);
+      const auto bad = std::find_if_not(xyz.begin(), xyz.end(), [](float x) { return internal::is_finite(x); });
+      if (bad != xyz.end())
+        fail("frame " + std::to_string(f) + ", vertex " + std::to_string((bad - xyz.begin()) / 3) +
+             ": the position is not finite");
+      sink(f, static_cast<const float*>(xyz.data()));
+    }
+    char one;
+    if (internal::read_bytes(m_file.get(), &one, 1, m_path) != 0) fail("goes on after the last frame");
+  }
+
+private:
+  std::size_t frame_size() const { return 3 * sizeof(float) * m_points; }
+
+  void read_header(char* bytes, std::size_t size)
+  {
+    const std::size_t n = internal::read_bytes(m_file.get(), bytes, size, m_path);
+    if (n < size) fail(n == 0 && m_header_size == 0 ? "is empty" : "ends within the header");
+    m_header_size += size;
+  }
+
+  void set_counts(std::int32_t points, std::int32_t frames)
+  {
+    if (points <= 0) fail("the header announces " + std::to_string(points) + " points");
+    if (frames <= 0) fail("the header announces " + std::to_string(frames) + " frames");
+    m_points = static_cast<std::size_t>(points);
+    m_frames = static_cast<std::size_t>(frames);
+  }
+
+  // Before anything of the size that the header tells is allocated.
+  void check_size(std::uint64_t header_size)
+  {
+    m_header_size = header_size;
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(m_path, error)) return;
+    const std::uint64_t actual = std::filesystem::file_size(m_path, error);
+    if (!error && actual != expected_size()) fail_for_size(actual);
+  }
+
+  std::uint64_t expected_size() const { return m_header_size + std::uint64_t(m_frames) * frame_size(); }
+
+  [[noreturn]] void fail_for_size(std::uint64_t actual) const
+  {
+    const std::string sizes = std::to_string(m_points) + " points in " + std::to_string(m_frames) + " frames take " +
+                              std::to_string(expected_size()) + " bytes, the file has " + std::to_string(actual);
+    if (actual > expected_size()) fail(sizes + ": " + std::to_string(actual - expected_size()) + " too many");
+    const std::uint64_t whole = actual < m_header_size ? 0 : (actual - m_header_size) / frame_size();
+    fail(sizes + ": it is cut off after " + std::to_string(whole) + " whole frames");
+  }
+
+  void read_pc2_header()
+  {
+    const char magic[] = "POINTCACHE2"; // with its final zero
+    char h[32];
+    read_header(h, sizeof(h));
+    if (std::memcmp(h, magic, sizeof(magic)) != 0) fail("is no PC2 file: it does not start with POINTCACHE2");
+    const std::int32_t version = internal::load<std::int32_t>(h + 12, m_order);
+    if (version != 1) fail("is a PC2 file of version " + std::to_string(version) + "; known is 1");
+    m_start_frame = internal::load<float>(h + 20, m_order);
+    m_sample_rate = internal::load<float>(h + 24, m_order);
+    set_counts(internal::load<std::int32_t>(h + 16, m_order), internal::load<std::int32_t>(h + 28, m_order));
+    check_size(sizeof(h));
+  }
+
+  void read_mdd_header()
+  {
+    m_order = internal::Byte_order::BIG_ENDIAN_ORDER;
+    char h[8];
+    read_header(h, sizeof(h));
+    set_counts(internal::load<std::int32_t>(h + 4, m_order), internal::load<std::int32_t>(h, m_order));
+    check_size(sizeof(h) + sizeof(float) * std::uint64_t(m_frames));
+    std::vector<char> bytes(sizeof(float) * m_frames);
+    const std::size_t n = internal::read_bytes(m_file.get(), bytes.data(), bytes.size(), m_path);
+    if (n < bytes.size()) fail_for_size(sizeof(h) + n);
+    for (std::size_t f = 0; f < m_frames; ++f) {
+      const float t = internal::load<float>(bytes.data() + f * sizeof(float), m_order);
+      if (!internal::is_finite(t)) fail("frame " + std::to_string(f) + ": the time is not finite");
+      m_times.push_back(t);
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& message) const { throw Input_error(m_path + ": " + message); }
+
+  std::string m_path;
+  internal::File_handle m_file;
+  internal::Byte_order m_order = internal::Byte_order::LITTLE_ENDIAN_ORDER;
+  std::uint64_t m_header_size = 0;
+  std::size_t m_points = 0;
+  std::size_t m_frames = 0;
+  double m_start_frame = 0;
+  double m_sample_rate = 1;
+  std::vector<double> m_times;
+};
+
+} // namespace IO
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_IO_POINT_CACHE_READER_H

@@ -1,0 +1,257 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_PARSE_PLY_H
+#define CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_PARSE_PLY_H
+
+#include <CGAL/Animated_mesh_features/IO/internal/Mesh_builder.h>
+#include <CGAL/Animated_mesh_features/IO/internal/Text_scanner.h>
+#include <CGAL/Animated_mesh_features/IO/internal/bytes.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace IO {
+namespace internal {
+
+
+enum class Ply_type { INT8, UINT8, INT16, UINT16, INT32, UINT32, FLOAT32, FLOAT64 };
+
+struct Ply_property
+{
+  std::string name;
+  Ply_type type;
+  bool is_list;
+  Ply_type count_type; // of lists
+};
+
+struct Ply_element
+{
+  std::string name;
+  std::size_t count;
+  std::vector<Ply_property> properties;
+};
+
+struct Ply_header
+{
+  bool is_binary = false;
+  Byte_order order = Byte_order::LITTLE_ENDIAN_ORDER;
+  std::vector<Ply_element> elements;
+};
+
+inline Ply_type ply_type(Text_scanner& in)
+{
+  static const struct
+  {
+    std::string_view name, new_name;
+    Ply_type type;
+  } types[] = {{"char", "int8", Ply_type::INT8},       {"uchar", "uint8", Ply_type::UINT8},
+               {"short", "int16", Ply_type::INT16},    {"ushort", "uint16", Ply_type::UINT16},
+               {"int", "int32", Ply_type::INT32},      {"uint", "uint32", Ply_type::UINT32},
+               {"float", "float32", Ply_type::FLOAT32}, {"double", "float64", Ply_type::FLOAT64}};
+  const std::string_view name = in.token();
+  for (const auto& t : types)
+    if (name == t.name || name == t.new_name) return t.type;
+  in.fail(Text_scanner::quoted(name) + " is no type of a property");
+}
+
+inline Ply_header ply_header(Text_scanner& in)
+{
+  Ply_header header;
+  if (in.token() != "ply") in.fail("the file does not start with \"ply\"");
+  in.next_line();
+  bool has_format = false;
+  for (; !in.at_end(); in.next_line()) {
+    const std::string_view keyword = in.token();
+    if (keyword == "format") {
+      const std::string_view format = in.token();
+      header.is_binary = format != "ascii";
+      if (format == "binary_big_endian") {
+        header.order = Byte_order::BIG_ENDIAN_ORDER;
+      } else if (format != "ascii" && format != "binary_little_endian") {
+        in.fail("unknown format " + Text_scanner::quoted(format));
+      }
+      has_format = true;
+    } else if (keyword == "element") {
+      const std::string_view name = in.token();
+      const long long count = in.integer("the number of elements");
+      if (count < 0) in.fail("the number of elements is negative");
+      header.elements.push_back({std::string(name), static_cast<std::size_t>(count), {}});
+    } else if (keyword == "property") {
+      if (header.elements.empty()) in.fail("a property before the first element");
+      Ply_property property = {"", Ply_type::INT8, false, Ply_type::INT8};
+      property.is_list = in.accept("list");
+      if (property.is_list) property.count_type = ply_type(in);
+      property.type = ply_type(in);
+      property.name = std::string(in.token());
+      header.elements.back().properties.push_back(property);
+    } else if (keyword == "end_header") {
+      if (!has_format) in.fail("the header names no format");
+      in.next_line();
+      return header;
+    } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
+      in.fail("unknown keyword " + Text_scanner::quoted(keyword) + " in the header");
+    }
+  }
+  in.fail("the file ends within the header");
+}
+
+// The values behind the header, one after the other. Every PLY type fits a double exactly.
+class Ply_values
+{
+public:
+  Ply_values(Text_scanner& in, const Ply_header& header)
+    : m_in(in)
+    , m_is_binary(header.is_binary)
+    , m_order(header.order)
+    , m_p(in.position())
+  {
+  }
+
+  // the element to name in messages
+  void start(const Ply_element& element, std::size_t index)
+  {
+    m_element = &element;
+    m_index = index;
+    if (!m_is_binary) m_in.skip_space();
+  }
+
+  std::size_t line() const { return m_is_binary ? 0 : m_in.line(); }
+
+  double next(Ply_type type)
+  {
+    if (!m_is_binary) {
+      m_in.skip_space();
+      if (m_in.at_end()) fail_at_end();
+      return m_in.number("a value");
+    }
+    switch (type) {
+    case Ply_type::INT8: return take<std::int8_t>();
+    case Ply_type::UINT8: return take<std::uint8_t>();
+    case Ply_type::INT16: return take<std::int16_t>();
+    case Ply_type::UINT16: return take<std::uint16_t>();
+    case Ply_type::INT32: return take<std::int32_t>();
+    case Ply_type::UINT32: return take<std::uint32_t>();
+    case Ply_type::FLOAT32: return take<float>();
+    default: return take<double>();
+    }
+  }
+
+  // a count or a vertex
+  std::size_t next_index(Ply_type type, const char* what)
+  {
+    const double x = next(type);
+    const double largest = 4294967295.; // of the largest integer type
+    if (!(x >= 0 && x <= largest) || x != double(static_cast<std::size_t>(x)))
+      fail(std::string(what) + " is negative, too large or not a whole number");
+    return static_cast<std::size_t>(x);
+  }
+
+  bool at_end()
+  {
+    if (m_is_binary) return m_p == m_in.end();
+    m_in.skip_space();
+    return m_in.at_end();
+  }
+
+  [[noreturn]] void fail(const std::string& message) const
+  {
+    const std::string where = m_element == nullptr ? "" : m_element->name + " " + std::to_string(m_index) + ": ";
+    if (!m_is_binary) m_in.fail(where + message);
+    throw Input_error(m_in.file() + ": " + where + message);
+  }
+
+private:
+  [[noreturn]] void fail_at_end() const
+  {
+    fail("the file ends here, its header announces " + std::to_string(m_element->count) + " of them");
+  }
+
+  template <class T>
+  double take()
+  {
+    if (std::size_t(m_in.end() - m_p) < sizeof(T)) fail_at_end();
+    const T value = load<T>(m_p, m_order);
+    m_p += sizeof(T);
+    return static_cast<double>(value);
+  }
+
+  Text_scanner& m_in;
+  bool m_is_binary;
+  Byte_order m_order;
+  const char* m_p; // of the binary part
+  const Ply_element* m_element = nullptr;
+  std::size_t m_index = 0;
+};
+
+// PLY, ASCII and binary: the properties x, y, z of the element `vertex` and the list `vertex_indices` (or
+// `vertex_index`) of the element `face`, of whatever types; everything else is skipped.
+//
+// CGAL::IO::read_PLY() says neither where nor why it fails and knows lists of 32-bit indices only.
+inline void parse_ply(const std::string& text, const std::string& file, const Mesh_reading_options& options,
+                      Indexed_mesh& mesh)
+{
+  Text_scanner in(text, file, '\0');
+  Mesh_builder builder(file, options, mesh);
+  const Ply_header header = ply_header(in);
+  Ply_values values(in, header);
+
+  std::vector<std::size_t> corners;
+  for (const Ply_element& element : header.elements) {
+    const bool is_vertex = element.name == "vertex", is_face = element.name == "face";
+    double xyz[3] = {0, 0, 0}, ignored = 0;
+    std::vector<double*> targets; // where the value of each property goes
+    int coordinates = 0, index_lists = 0;
+    for (const Ply_property& p : element.properties) {
+      const bool is_coordinate = is_vertex && !p.is_list && p.name.size() == 1 && p.name >= "x" && p.name <= "z";
+      coordinates += is_coordinate;
+      index_lists += is_face && p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
+      targets.push_back(is_coordinate ? &xyz[p.name[0] - 'x'] : &ignored);
+    }
+    if (is_vertex && coordinates != 3) builder.fail(0, "the vertices lack a property x, y or z");
+    if (is_face && index_lists != 1) builder.fail(0, "the faces lack a list vertex_indices or vertex_index");
+    if (element.properties.empty()) continue;
+    if (is_vertex) builder.reserve(element.count, 0, text.size());
+    if (is_face) builder.reserve(0, element.count, text.size());
+
+    for (std::size_t i = 0; i < element.count; ++i) {
+      values.start(element, i);
+      const std::size_t line = values.line();
+      for (std::size_t k = 0; k < element.properties.size(); ++k) {
+        const Ply_property& p = element.properties[k];
+        if (!p.is_list) {
+          *targets[k] = values.next(p.type);
+          continue;
+        }
+        const bool is_corners = is_face && (p.name == "vertex_indices" || p.name == "vertex_index");
+        if (is_corners) corners.clear();
+        for (std::size_t n = values.next_index(p.count_type, "the length of a list"); n > 0; --n) {
+          if (is_corners) {
+            corners.push_back(values.next_index(p.type, "a vertex index"));
+          } else {
+            values.next(p.type);
+          }
+        }
+      }
+      if (is_vertex) builder.add_point(xyz[0], xyz[1], xyz[2], line);
+      if (is_face) builder.add_face(corners, line);
+    }
+  }
+  if (!values.at_end()) builder.fail(values.line(), "the file goes on after all elements that its header announces");
+  builder.finish();
+}
+
+} // namespace internal
+} // namespace IO
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_PARSE_PLY_H

@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_IO_READ_ANIMATION_H
+#define CGAL_ANIMATED_MESH_FEATURES_IO_READ_ANIMATION_H
+
+#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
+#include <CGAL/Animated_mesh_features/IO/Point_cache_reader.h>
+#include <CGAL/Animated_mesh_features/IO/frame_files_in_folder.h>
+#include <CGAL/Animated_mesh_features/IO/internal/Field_filler.h>
+#include <CGAL/Animated_mesh_features/IO/natural_order.h>
+#include <CGAL/Animated_mesh_features/IO/read_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace IO {
+
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesIO
+
+An animation as its files hold it: `N` vertices, `F` frames.
+*/
+template <class FT>
+struct Animation_file_data
+{
+  /// the connectivity, and the points of the mesh file: those of the first frame for a sequence of meshes.
+  Indexed_mesh mesh;
+
+  /// `F`
+  std::size_t frames = 0;
+
+  /// the time of each frame (s) if the file tells it (MDD), else empty.
+  std::vector<double> times;
+
+  /// the coordinates, `N x F` each.
+  Spatio_temporal_field<FT> x, y, z;
+
+  /// the files: mesh and cache, or a mesh for each frame, in their order.
+  std::vector<std::string> sources;
+
+  /// where a frame comes from, for messages.
+  std::string frame_name(std::size_t frame) const
+  {
+    return sources.size() == frames ? sources[frame] : sources.back() + ", frame " + std::to_string(frame);
+  }
+};
+
+namespace internal {
+
+template <class FT>
+void read_point_cache(const std::string& mesh_file, const std::string& cache_file, const Mesh_reading_options& options,
+                      Animation_file_data<FT>& data)
+{
+  data.sources = {mesh_file, cache_file};
+  data.mesh = IO::read_mesh(mesh_file, options);
+  Point_cache_reader cache(cache_file);
+  cache.check_number_of_points(data.mesh.points.size(), mesh_file);
+  data.frames = cache.number_of_frames();
+  data.times = cache.times();
+  Field_filler<FT> filler(cache.number_of_points(), data.frames, data.x, data.y, data.z);
+  cache.read_frames([&](std::size_t, const float* xyz) { filler.add(xyz, cache_file); });
+}
+
+inline void check_same_connectivity(const Indexed_mesh& first, const std::string& first_file, const Indexed_mesh& mesh,
+                                    const std::string& file)
+{
+  const auto differs = [&](std::size_t n, std::size_t m, const char* what) {
+    if (n != m)
+      throw Input_error(file + ": has " + std::to_string(m) + what + ", but the first frame, " + first_file + ", has " +
+                        std::to_string(n));
+  };
+  differs(first.points.size(), mesh.points.size(), " vertices");
+  differs(first.triangles.size(), mesh.triangles.size(), " triangles");
+  const auto face = std::mismatch(first.triangles.begin(), first.triangles.end(), mesh.triangles.begin());
+  if (face.first == first.triangles.end()) return;
+  const auto text = [](const std::array<std::size_t, 3>& t) {
+    return "(" + std::to_string(t[0]) + ", " + std::to_string(t[1]) + ", " + std::to_string(t[2]) + ")";
+  };
+  throw Input_error(file + ": triangle " + std::to_string(face.first - first.triangles.begin()) + " is " +
+                    text(*face.second) + ", but " + text(*face.first) + " in the first frame, " + first_file +
+                    "; all frames must have the same connectivity");
+}
+
+template <class FT>
+void read_frame_files(const std::vector<std::string>& files, const Mesh_reading_options& options,
+                      Animation_file_data<FT>& data)
+{
+  data.sources = files;
+  data.frames = files.size();
+  std::string content;
+  read_mesh(files[0], options, content, data.mesh);
+  Field_filler<FT> filler(data.mesh.points.size(), data.frames, data.x, data.y, data.z);
+  filler.add(data.mesh.points[0].data(), files[0]);
+  Indexed_mesh mesh;
+  for (std::size_t f = 1; f < files.size(); ++f) {
+    read_mesh(files[f], options, content, mesh);
+    check_same_connectivity(data.mesh, files[0], mesh, files[f]);
+    filler.add(mesh.points[0].data(), files[f]);
+  }
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesIO
+
+reads an animation. `inputs` is one of
+- a mesh file and a point cache (.pc2, .mdd) with as many points as the mesh has vertices, in either order;
+- a folder, whose mesh files are the frames (`frame_files_in_folder()`);
+- two or more mesh files, the frames. They are put in `natural_order()`, whatever order they are given in, since a shell
+  expands `walk*.obj` to `walk_10.obj walk_2.obj`.
+
+All meshes of a sequence must have the same faces in the same order. STL repeats coordinates instead of naming
+vertices, so that a sequence of STL files works only as long as no two vertices ever meet.
+
+Linear in the size of the files. Apart from the result, `3 N F` numbers, one file (or one frame of a cache) and some
+sixteen frames are in memory.
+
+\tparam FT `float` or `double`: the precision of the coordinates.
+
+\throws Input_error if a file is missing or malformed (see `read_mesh()`, `Point_cache_reader`), the frames differ in
+connectivity (the message names the first such triangle) or there are less than two of them, or the inputs are none of
+the above.
+*/
+template <class FT>
+Animation_file_data<FT> read_animation(const std::vector<std::string>& inputs,
+                                       Mesh_reading_options options = Mesh_reading_options())
+{
+  if (inputs.empty()) throw Input_error("no input: give a mesh and a point cache, a folder, or a mesh for each frame");
+  std::vector<std::string> caches, meshes, folders;
+  for (const std::string& input : inputs) {
+    std::error_code error;
+    const std::filesystem::file_status status = std::filesystem::status(input, error);
+    if (!std::filesystem::exists(status)) throw Input_error(input + ": cannot read: " + error.message());
+    const bool is_cache = internal::is_cache_ending(internal::ending(input));
+    (std::filesystem::is_directory(status) ? folders : is_cache ? caches : meshes).push_back(input);
+  }
+
+  Animation_file_data<FT> data;
+  if (!folders.empty()) {
+    if (inputs.size() > 1) throw Input_error(folders[0] + ": a folder of frames must be the only input");
+    meshes = frame_files_in_folder(folders[0]);
+  }
+  if (caches.size() > 1) throw Input_error(caches[1] + ": a second point cache; give one mesh and one point cache");
+  if (caches.size() == 1) {
+    if (meshes.empty())
+      throw Input_error(caches[0] + ": a point cache holds positions only; give the mesh file that belongs to it too");
+    if (meshes.size() > 1) throw Input_error(meshes[1] + ": a second mesh; give one mesh and one point cache");
+    internal::read_point_cache(meshes[0], caches[0], options, data);
+  } else {
+    if (meshes.size() == 1)
+      throw Input_error(meshes[0] + ": one mesh is no animation; give the point cache that belongs to it, or more frames");
+    std::sort(meshes.begin(), meshes.end(), [](const auto& a, const auto& b) { return natural_order(a, b); });
+    internal::read_frame_files(meshes, options, data);
+  }
+  if (data.frames < 2) throw Input_error(data.sources.back() + ": one frame is no animation");
+  return data;
+}
+
+} // namespace IO
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_IO_READ_ANIMATION_H

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_VISITOR_H
+#define CGAL_ANIMATED_MESH_FEATURES_VISITOR_H
+
+namespace CGAL {
+namespace Animated_mesh_features {
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesRef
+
+The stages of a detection, in the order in which they run.
+*/
+enum class Stage
+{
+  GEODESIC_BALLS, ///< the balls of the curvature measure, on the rest shape
+  CURVATURE,      ///< change of curvature, all vertices and frames
+  STRAIN,         ///< strain, all vertices and frames
+  SCALE_SPACE,    ///< smoothing in space
+  EXTREMA         ///< smoothing in time, response, extremum search
+};
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesRef
+
+the name of a stage, for messages.
+*/
+inline const char* name(Stage stage)
+{
+  switch (stage) {
+  case Stage::GEODESIC_BALLS: return "geodesic balls";
+  case Stage::CURVATURE: return "curvature";
+  case Stage::STRAIN: return "strain";
+  case Stage::SCALE_SPACE: return "scale space";
+  case Stage::EXTREMA: return "extrema";
+  }
+  return "";
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesRef
+
+The visitor that does nothing: a model of `DetectionVisitor`, to derive from or to imitate.
+
+All three functions are called from the thread that called the detector, and from no other, so that they may print,
+draw or look at a user interface without locking.
+*/
+struct Default_visitor
+{
+  /// called once when a stage begins.
+  void begin(Stage) {}
+
+  /*!
+  called between portions of the work of a stage, about a hundred times a stage, with `fraction` growing from 0 to 1.
+  Stages of which a part cannot be divided (a factorisation) are silent for that time.
+  \returns whether to go on. If `false`, `Cancelled` is thrown out of the detector within one portion of work.
+  */
+  bool progress(Stage, double /* fraction */) { return true; }
+
+  /// called once when a stage ends, also if it ends by an exception.
+  void end(Stage) {}
+};
+
+namespace internal {
+
+// begin() and end() of a stage around a scope.
+template <class Visitor>
+class Stage_scope
+{
+public:
+  Stage_scope(Visitor& visitor, Stage stage) : m_visitor(visitor), m_stage(stage) { m_visitor.begin(stage); }
+  ~Stage_scope() { m_visitor.end(m_stage); }
+  Stage_scope(const Stage_scope&) = delete;
+  Stage_scope& operator=(const Stage_scope&) = delete;
+
+private:
+  Visitor& m_visitor;
+  Stage m_stage;
+};
+
+} // namespace internal
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_VISITOR_H

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_CURVATURE_H
+#define CGAL_ANIMATED_MESH_FEATURES_CURVATURE_H
+
+#include <CGAL/Animated_mesh_features/Compressed_rows.h>
+#include <CGAL/Animated_mesh_features/Curvature_measures.h>
+#include <CGAL/Animated_mesh_features/Heat_method_geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Visitor.h>
+#include <CGAL/Animated_mesh_features/internal/Animation_access.h>
+#include <CGAL/Animated_mesh_features/internal/curvature_rows.h>
+#include <CGAL/Animated_mesh_features/internal/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesBalls
+
+the default radius of the geodesic balls (length): 2.5 % of the bounding-box diagonal of the rest shape, the size of a
+wrinkle, but at least 3 mean edge lengths, below which balls contain too few edges (at 1 edge length, 8 % of the balls
+of a scanned horse contain none).
+*/
+inline double default_ball_radius(const Rest_shape& shape)
+{
+  return (std::max)(0.025 * shape.bounding_box_diagonal(), 3 * shape.mean_edge_length());
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesBalls
+
+computes the geodesic ball of each vertex on the rest shape of an animation.
+
+\tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same.
+\param radius length on the rest shape; 0 stands for `default_ball_radius()`.
+\param policy a model of `GeodesicBalls`.
+\returns a row of vertex ranks for each vertex, ascending, itself included.
+\throw Option_error if the radius is negative or not finite. What the policy throws.
+*/
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Animation, class GeodesicBalls = Heat_method_geodesic_balls>
+Compressed_rows
+geodesic_balls(const Animation& animation, double radius = 0, const GeodesicBalls& policy = GeodesicBalls())
+{
+  const internal::Animation_access<Animation> access(animation);
+  if (!(radius >= 0) || !std::isfinite(radius)) throw Option_error("the radius of the geodesic balls must be positive");
+  const Rest_shape& shape = access->rest_shape();
+  Default_visitor visitor;
+  return policy(shape, radius > 0 ? radius : default_ball_radius(shape),
+                internal::Task_loop<ConcurrencyTag, Default_visitor>(visitor, Stage::GEODESIC_BALLS));
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesMeasures
+
+computes the curvature at every vertex in every frame, over geodesic balls of the rest shape.
+
+Linear in the number of entries of `balls` times frames.
+
+\tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same, bit for bit.
+\tparam Animation a model of `MeshAnimation`.
+\tparam CurvatureMeasure a model of `CurvatureMeasure`.
+\param balls a row for each vertex, ascending; see `geodesic_balls()`.
+\returns a field of `N x F` curvatures, rows in the order of `vertices(mesh)`; 0 where a ball has no edge.
+*/
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Animation, class CurvatureMeasure = Mean_curvature_density>
+Spatio_temporal_field<typename Animation::FT> curvature(const Animation& animation,
+                                                        const Compressed_rows& balls,
+                                                        const CurvatureMeasure& measure = CurvatureMeasure())
+{
+  const internal::Animation_access<Animation> access(animation);
+  Default_visitor visitor;
+  return internal::curvature_rows(access->flat_animation(), balls, measure,
+                                  internal::Task_loop<ConcurrencyTag, Default_visitor>(visitor, Stage::CURVATURE));
+}
+
+namespace internal {
+
+template <class FT, class Measure, class Loop>
+Spatio_temporal_field<FT> curvature_change_rows(const Flat_animation<FT>& animation,
+                                                const Compressed_rows& balls,
+                                                const Measure& measure,
+                                                const Loop& loop)
+{
+  const Spatio_temporal_field<FT> rest =
+      curvature_rows(rest_as_animation<FT>(animation.rest), balls, measure, loop.part(0, 10));
+  typedef Frame_block<FT> Block;
+  Spatio_temporal_field<FT> field(animation.number_of_vertices(), animation.number_of_frames());
+  Curvature_block<FT, Measure> sums(animation, balls, measure);
+  const std::size_t blocks = Block::number_of_blocks(animation.number_of_frames());
+  for (std::size_t b = 0; b < blocks; ++b)
+    sums.run(b, loop.part(blocks + 9 * b, 10 * blocks), [&](std::size_t v, const typename Block::Array& k) {
+      Block::at(field, v, b) = (k - rest(v, 0)).abs();
+    });
+  return field;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesMeasures
+
+computes \f$|\kappa(v, f) - \kappa(v, \mathrm{rest})|\f$ at every vertex in every frame; see `curvature()`.
+*/
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Animation, class CurvatureMeasure = Mean_curvature_density>
+Spatio_temporal_field<typename Animation::FT> curvature_change(const Animation& animation,
+                                                               const Compressed_rows& balls,
+                                                               const CurvatureMeasure& measure = CurvatureMeasure())
+{
+  const internal::Animation_access<Animation> access(animation);
+  Default_visitor visitor;
+  return internal::curvature_change_rows(
+      access->flat_animation(), balls, measure,
+      internal::Task_loop<ConcurrencyTag, Default_visitor>(visitor, Stage::CURVATURE));
+}
+
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_CURVATURE_H

@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_INTERNAL_PARALLEL_FOR_H
+#define CGAL_ANIMATED_MESH_FEATURES_INTERNAL_PARALLEL_FOR_H
+
+#include <CGAL/Animated_mesh_features/Visitor.h>
+#include <CGAL/Animated_mesh_features/exceptions.h>
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+  #include <tbb/blocked_range.h>
+  #include <tbb/parallel_for.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace internal {
+
+// task(i) for each i in [first, last), in any order and, with Parallel_tag and TBB, on several threads. Tasks must not
+// depend on one another; whatever they write is theirs alone, which is what makes results independent of threads.
+template <class ConcurrencyTag, class Task>
+void parallel_for(std::size_t first, std::size_t last, const Task& task)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if constexpr (std::is_convertible<ConcurrencyTag, CGAL::Parallel_tag>::value) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(first, last), [&](const tbb::blocked_range<std::size_t>& range) {
+      for (std::size_t i = range.begin(); i != range.end(); ++i) task(i);
+    });
+    return;
+  }
+#endif
+  for (std::size_t i = first; i != last; ++i) task(i);
+}
+
+// A share of a stage: knows how to run tasks and whom to tell. Between portions of the tasks the calling thread - no
+// other - tells the visitor how far the stage is, and throws Cancelled if the visitor has had enough.
+template <class ConcurrencyTag, class Visitor>
+class Task_loop
+{
+public:
+  Task_loop(Visitor& visitor, Stage stage, double from = 0, double to = 1)
+    : m_visitor(&visitor)
+    , m_stage(stage)
+    , m_from(from)
+    , m_to(to)
+  {
+  }
+
+  template <class Task>
+  void operator()(std::size_t number_of_tasks, const Task& task) const
+  {
+    // Few enough that starting and joining threads costs nothing, enough for a bar that moves.
+    constexpr std::size_t portions = 32;
+    const std::size_t portion = (std::max)(std::size_t(1), (number_of_tasks + portions - 1) / portions);
+    for (std::size_t first = 0; first < number_of_tasks; first += portion) {
+      tell(double(first) / double(number_of_tasks));
+      parallel_for<ConcurrencyTag>(first, (std::min)(first + portion, number_of_tasks), task);
+    }
+    tell(1);
+  }
+
+  // The loop for the i-th of n equal parts of this share.
+  Task_loop part(std::size_t i, std::size_t n) const
+  {
+    const double step = (m_to - m_from) / double(n);
+    return Task_loop(*m_visitor, m_stage, m_from + double(i) * step, m_from + double(i + 1) * step);
+  }
+
+private:
+  void tell(double fraction) const
+  {
+    if (!m_visitor->progress(m_stage, m_from + fraction * (m_to - m_from))) throw Cancelled();
+  }
+
+  Visitor* m_visitor;
+  Stage m_stage;
+  double m_from, m_to;
+};
+
+} // namespace internal
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_INTERNAL_PARALLEL_FOR_H
