@@ -7,7 +7,6 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_NATURAL_ORDER_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_NATURAL_ORDER_H
 
-#include <algorithm>
 #include <cstddef>
 #include <string_view>
 
@@ -51,7 +50,7 @@ inline bool natural_order(std::string_view a, std::string_view b)
   }
   if (i < a.size() || j < b.size()) return j < b.size();
   if (a.size() != b.size()) return a.size() < b.size();
-  return a > b; // leading zeros in different places: those of the later number first
+  return a > b; // as many leading zeros, of different numbers: those of the later number first
 }
 
 } // namespace IO

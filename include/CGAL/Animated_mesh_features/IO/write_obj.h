@@ -8,16 +8,16 @@
 #define CGAL_ANIMATED_MESH_FEATURES_IO_WRITE_OBJ_H
 
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
-#include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
+#include <CGAL/Animated_mesh_features/IO/internal/Text_output.h>
 
 #include <array>
 #include <cstddef>
 #include <ostream>
-#include <string>
 
 namespace CGAL {
 namespace Animated_mesh_features {
 namespace IO {
+
 
 /*!
 \ingroup PkgAnimatedMeshFeaturesIO
@@ -29,33 +29,11 @@ Errors are left in the state of the stream; `Output_file` reports them.
 */
 inline void write_obj(std::ostream& os, const Indexed_mesh& mesh)
 {
-  const std::size_t block = 1 << 16; // many lines for each call of the stream
-  std::string text;
-  for (const std::array<double, 3>& p : mesh.points) {
-    text += 'v';
-    for (double x : p) {
-      text += ' ';
-      internal::append_number(text, x);
-    }
-    text += '\n';
-    if (text.size() >= block) {
-      os.write(text.data(), static_cast<std::streamsize>(text.size()));
-      text.clear();
-    }
-  }
-  for (const std::array<std::size_t, 3>& t : mesh.triangles) {
-    text += 'f';
-    for (std::size_t i : t) {
-      text += ' ';
-      internal::append_number(text, i + 1);
-    }
-    text += '\n';
-    if (text.size() >= block) {
-      os.write(text.data(), static_cast<std::streamsize>(text.size()));
-      text.clear();
-    }
-  }
-  os.write(text.data(), static_cast<std::streamsize>(text.size()));
+  internal::Text_output out(os);
+  for (const std::array<double, 3>& p : mesh.points) out << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+  for (const std::array<std::size_t, 3>& t : mesh.triangles)
+    out << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
+  out.flush();
 }
 
 } // namespace IO

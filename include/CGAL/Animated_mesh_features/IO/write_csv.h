@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_IO_WRITE_CSV_H
+#define CGAL_ANIMATED_MESH_FEATURES_IO_WRITE_CSV_H
+
+#include <CGAL/Animated_mesh_features/IO/internal/Text_output.h>
+
+#include <cstddef>
+#include <ostream>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace IO {
+
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesIO
+
+writes features as a table of comma-separated values: a line of column names, then a line for each feature, in the order
+of the range. Columns, units and digits are those of `write_json()`; points take three columns each, truth values are
+`true` and `false`. Independent of the stream's locale.
+
+\tparam FeatureRange a range of `Spatio_temporal_feature<VertexDescriptor>`
+
+Errors are left in the state of the stream; `Output_file` reports them.
+*/
+template <class FeatureRange>
+void write_csv(std::ostream& os, const FeatureRange& features)
+{
+  internal::Text_output out(os);
+  out << "vertex,frame,time,x,y,z,sigma,tau,radius,response,strength,rest_x,rest_y,rest_z,"
+         "triangle_0,triangle_1,triangle_2,barycentric_0,barycentric_1,barycentric_2,at_scale_limit\n";
+  for (const auto& f : features) {
+    out << f.vertex_index << ',' << f.frame << ',' << f.time;
+    for (double x : f.position) out << ',' << x;
+    out << ',' << f.sigma << ',' << f.tau << ',' << f.radius() << ',' << f.response << ',' << f.strength();
+    for (double x : f.rest_position) out << ',' << x;
+    for (std::size_t v : f.triangle) out << ',' << v;
+    for (double b : f.barycentric_coordinates) out << ',' << b;
+    out << ',' << f.at_scale_limit << '\n';
+  }
+  out.flush();
+}
+
+} // namespace IO
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_IO_WRITE_CSV_H
