@@ -93,7 +93,16 @@ configure()
   fi
 }
 
-build() { cmake --build "$1" --parallel "$(job_count)"; }
+# build FOLDER [all]: stops at the first error, or goes on with all that can be built nevertheless.
+build()
+{
+  local options=()
+  if [ "${2:-}" = all ]; then
+    options=(-- -k)
+    if [ -f "$1/build.ninja" ]; then options+=(0); fi
+  fi
+  cmake --build "$1" --parallel "$(job_count)" "${options[@]}"
+}
 
 # If the whole script was run by sudo: what it wrote belongs to the user, who is going to run it without next time.
 give_back()

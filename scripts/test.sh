@@ -22,9 +22,12 @@ bash "$root/scripts/install_dependencies.sh" --tests || exit 1
 cd "$root" || exit 1
 trap 'give_back "$root/build"' EXIT
 
-run_tests()
+build_and_run()
 {
-  ctest --test-dir "$1" --output-on-failure --parallel "$(job_count)" --no-tests=error
+  local result=0
+  build "$1" all || result=1
+  ctest --test-dir "$1" --output-on-failure --parallel "$(job_count)" --no-tests=error || result=1
+  return $result
 }
 
 # ---------------------------------------------------------------------------------------------------------- the stages
@@ -33,7 +36,7 @@ run_tests()
 stage_gcc()
 {
   configure build/gcc -DCMAKE_CXX_COMPILER=g++ -DANIMATED_MESH_FEATURES_WERROR=ON &&
-    build build/gcc && run_tests build/gcc
+    build_and_run build/gcc
 }
 
 # clang++, because it takes two thirds of g++'s time for the same checks.
@@ -48,7 +51,7 @@ stage_sanitizers()
       configure build/sanitizers -DCMAKE_CXX_COMPILER=$compiler \
         -DANIMATED_MESH_FEATURES_SANITIZE=address,undefined \
         -DANIMATED_MESH_FEATURES_WERROR="$([ $compiler = clang++ ] && echo ON || echo OFF)" &&
-        build build/sanitizers && run_tests build/sanitizers
+        build_and_run build/sanitizers
       return
     fi
   done
