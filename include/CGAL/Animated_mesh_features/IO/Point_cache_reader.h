@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -135,7 +136,13 @@ private:
     if (!error && actual != expected_size()) fail_for_size(actual);
   }
 
-  std::uint64_t expected_size() const { return m_header_size + std::uint64_t(m_frames) * frame_size(); }
+  // The largest number if even that is too small: 2^31 points in 2^31 frames would exceed it.
+  std::uint64_t expected_size() const
+  {
+    const std::uint64_t largest = (std::numeric_limits<std::uint64_t>::max)();
+    if (m_frames > (largest - m_header_size) / frame_size()) return largest;
+    return m_header_size + std::uint64_t(m_frames) * frame_size();
+  }
 
   [[noreturn]] void fail_for_size(std::uint64_t actual) const
   {

@@ -13,6 +13,7 @@
 #include <CGAL/Animated_mesh_features/IO/Point_cache_reader.h>
 #include <CGAL/Animated_mesh_features/IO/frame_files_in_folder.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Field_filler.h>
+#include <CGAL/Animated_mesh_features/IO/internal/file_endings.h>
 #include <CGAL/Animated_mesh_features/IO/natural_order.h>
 #include <CGAL/Animated_mesh_features/IO/read_mesh.h>
 
@@ -55,7 +56,9 @@ struct Animation_file_data
   /// where a frame comes from, for messages.
   std::string frame_name(std::size_t frame) const
   {
-    return sources.size() == frames ? sources[frame] : sources.back() + ", frame " + std::to_string(frame);
+    return internal::is_cache_ending(internal::ending(sources.back()))
+               ? sources.back() + ", frame " + std::to_string(frame)
+               : sources[frame];
   }
 };
 

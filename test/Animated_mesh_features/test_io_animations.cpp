@@ -1,0 +1,307 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Animations in and out: point caches, sequences of meshes, and what is said about those that do not fit.
+
+#include "test_io_support.h"
+
+#include <CGAL/Animated_mesh_features/IO/Point_cache_reader.h>
+#include <CGAL/Animated_mesh_features/IO/frame_files_in_folder.h>
+#include <CGAL/Animated_mesh_features/IO/natural_order.h>
+#include <CGAL/Animated_mesh_features/IO/read_animation.h>
+#include <CGAL/Animated_mesh_features/IO/write_obj.h>
+#include <CGAL/Animated_mesh_features/IO/write_point_cache.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#ifdef __unix__
+#include <sys/stat.h>
+#include <thread>
+#endif
+
+using namespace CGAL::Animated_mesh_features;
+using namespace test_support;
+
+namespace {
+
+const Temporary_folder folder;
+
+// A number that tells frame, vertex and coordinate, exact in single precision.
+float value(std::size_t frame, std::size_t vertex, std::size_t coordinate)
+{
+  return float(frame) * 16 + float(vertex) + float(coordinate) / 4;
+}
+
+const auto frame_of_3 = [](std::size_t f, float* xyz) {
+  for (std::size_t i = 0; i < 9; ++i) xyz[i] = value(f, i / 3, i % 3);
+};
+
+std::string pc2(std::size_t frames = 2)
+{
+  std::ostringstream os;
+  IO::write_pc2(os, 3, frames, frame_of_3, 5, 0.5);
+  return os.str();
+}
+
+std::string mdd(const std::vector<float>& times)
+{
+  std::ostringstream os;
+  IO::write_mdd(os, 3, times, frame_of_3);
+  return os.str();
+}
+
+// The text of an OBJ file for frame `f` of the same animation.
+std::string obj(std::size_t f, const std::string& faces = "f 1 2 3\n")
+{
+  IO::Indexed_mesh mesh;
+  for (std::size_t v = 0; v < 3; ++v) mesh.points.push_back({{value(f, v, 0), value(f, v, 1), value(f, v, 2)}});
+  std::ostringstream os;
+  IO::write_obj(os, mesh);
+  return os.str() + faces;
+}
+
+void test_bytes()
+{
+  std::string expected = std::string("POINTCACHE2\0", 12) + little_endian(1u) + little_endian(3u) + little_endian(5.f) +
+                         little_endian(0.5f) + little_endian(2u);
+  std::string expected_mdd = big_endian(2u) + big_endian(3u) + big_endian(0.25f) + big_endian(0.75f);
+  for (std::size_t f = 0; f < 2; ++f)
+    for (std::size_t i = 0; i < 9; ++i) {
+      expected += little_endian(value(f, i / 3, i % 3));
+      expected_mdd += big_endian(value(f, i / 3, i % 3));
+    }
+  CHECK(pc2() == expected);
+  CHECK(pc2().substr(12, 8) == std::string("\1\0\0\0\3\0\0\0", 8));
+  CHECK(mdd({0.25f, 0.75f}) == expected_mdd);
+  CHECK(mdd({0.25f, 0.75f}).substr(0, 8) == std::string("\0\0\0\2\0\0\0\3", 8));
+
+  std::ostringstream os;
+  const std::size_t many = std::size_t(1) << 31;
+  CHECK_THROWS(Output_error, IO::write_pc2(os, many, 1, frame_of_3), "cannot hold 2147483648 points");
+  CHECK_THROWS(Output_error, IO::write_pc2(os, 1, many, frame_of_3), "cannot hold 2147483648 frames");
+}
+
+std::size_t number_of_right_values(IO::Point_cache_reader& cache)
+{
+  std::size_t n = 0, next = 0;
+  cache.read_frames([&](std::size_t f, const float* xyz) {
+    for (std::size_t i = 0; i < 9; ++i) n += f == next && xyz[i] == value(f, i / 3, i % 3);
+    ++next;
+  });
+  return n;
+}
+
+void test_caches()
+{
+  IO::Point_cache_reader a(folder.write("a.pc2", pc2(7)));
+  CHECK(a.number_of_points() == 3 && a.number_of_frames() == 7 && a.times().empty());
+  CHECK(a.start_frame() == 5 && a.sample_rate() == 0.5);
+  CHECK(number_of_right_values(a) == 63);
+  IO::Point_cache_reader b(folder.write("b.MDD", mdd({0, 0.25f, 1})));
+  CHECK(b.number_of_points() == 3 && b.number_of_frames() == 3);
+  CHECK((b.times() == std::vector<double>{0, 0.25, 1}));
+  CHECK(number_of_right_values(b) == 27);
+  CHECK_THROWS(Input_error, b.check_number_of_points(4, "cow.obj"),
+               folder.path("b.MDD") + ": has 3 points, but the mesh cow.obj has 4 vertices");
+  b.check_number_of_points(3, "cow.obj");
+
+  const auto error = [](const std::string& name, const std::string& content, const std::string& message) {
+    const auto read = [&] {
+      IO::Point_cache_reader cache(folder.write(name, content));
+      cache.read_frames([](std::size_t, const float*) {});
+    };
+    CHECK_THROWS(Input_error, read(), folder.path(name) + message);
+  };
+  const std::string p = pc2(), m = mdd({0, 1});
+  error("x.pc2", "", ": is empty");
+  error("x.pc2", p.substr(0, 31), ": ends within the header");
+  error("x.pc2", p.substr(0, 32), ": 3 points in 2 frames take 104 bytes, the file has 32: it is cut off after 0 whole frames");
+  error("x.pc2", p.substr(0, 103), ": 3 points in 2 frames take 104 bytes, the file has 103: it is cut off after 1 whole frames");
+  error("x.pc2", p + "ab", ": 3 points in 2 frames take 104 bytes, the file has 106: 2 too many");
+  error("x.pc2", "POINTCACHE3" + p.substr(11), ": is no PC2 file");
+  error("x.pc2", p.substr(0, 12) + little_endian(2u) + p.substr(16), ": is a PC2 file of version 2");
+  error("x.pc2", p.substr(0, 16) + little_endian(0u) + p.substr(20), ": the header announces 0 points");
+  error("x.pc2", p.substr(0, 28) + little_endian(0xffffffffu) + p.substr(32), ": the header announces -1 frames");
+  // A header that asks for 2^63 bytes must neither overflow nor allocate.
+  error("x.pc2", p.substr(0, 16) + little_endian(0x7fffffffu) + p.substr(20, 8) + little_endian(0x7fffffffu),
+        ": 2147483647 points in 2147483647 frames take 18446744073709551615 bytes, the file has 104: it is cut off after 0");
+  error("x.pc2", p.substr(0, 32 + 36 + 16) + little_endian(0x7f800000u) + p.substr(32 + 36 + 20),
+        ": frame 1, vertex 1: the position is not finite");
+  error("x.pc2", p.substr(0, 32 + 68) + little_endian(0xffc00001u) + p.substr(32 + 72), ": frame 1, vertex 2: the position");
+  error("x.mdd", m.substr(0, 7), ": ends within the header");
+  error("x.mdd", m.substr(0, 15), ": 3 points in 2 frames take 88 bytes, the file has 15: it is cut off after 0 whole");
+  error("x.mdd", m.substr(0, 87), ": 3 points in 2 frames take 88 bytes, the file has 87: it is cut off after 1 whole");
+  error("x.mdd", m + "x", ": 3 points in 2 frames take 88 bytes, the file has 89: 1 too many");
+  error("x.mdd", m.substr(0, 12) + big_endian(0x7fc00000u) + m.substr(16), ": frame 1: the time is not finite");
+  error("x.mdd", m.substr(0, 84) + big_endian(0x7fc00000u), ": frame 1, vertex 2: the position is not finite");
+  error("x.abc", m, ": unknown kind of point cache \".abc\"");
+  CHECK_THROWS(Input_error, IO::Point_cache_reader(folder.path("none.pc2")), ": cannot read: No such file");
+}
+
+// The size of a pipe is not known before it has been read.
+void test_pipe()
+{
+#ifdef __unix__
+  const std::string path = folder.path("pipe.pc2");
+  CHECK(mkfifo(path.c_str(), 0600) == 0);
+  const auto read = [&](const std::string& content) {
+    std::thread writer([&] { std::ofstream(path, std::ios::binary) << content; });
+    std::size_t n = 0;
+    std::string message;
+    try {
+      IO::Point_cache_reader cache(path);
+      n = number_of_right_values(cache);
+    } catch (const Input_error& e) {
+      message = e.what();
+    }
+    writer.join();
+    return std::to_string(n) + message.substr((std::min)(message.size(), path.size()));
+  };
+  CHECK(read(pc2()) == "18");
+  CHECK(read(pc2().substr(0, 100)) ==
+        "0: 3 points in 2 frames take 104 bytes, the file has 100: it is cut off after 1 whole frames");
+  CHECK(read(pc2() + "x") == "0: goes on after the last frame");
+#endif
+}
+
+void test_natural_order()
+{
+  const std::vector<std::string> sorted = {
+      "",     "-1",   "0",    "00",  "1",    "01",    "001",  "1.obj",      "2",          "10",
+      "10a2", "10a10", "99999999999999999999998", "99999999999999999999999", "100000000000000000000000",
+      "A1",   "a",    "a0",   "a1",  "a01",  "a1_01", "a01_1", "a1b",       "a2",         "a09",
+      "a10",  "a10b", "aa",   "b2/w1", "b2/w10", "b10/w2", "\xc3\xa4"};
+  bool good = true;
+  for (std::size_t i = 0; i < sorted.size(); ++i)
+    for (std::size_t j = 0; j < sorted.size(); ++j)
+      if (IO::natural_order(sorted[i], sorted[j]) != (i < j)) {
+        report(false, __FILE__, __LINE__, "natural_order(\"" + sorted[i] + "\", \"" + sorted[j] + "\")");
+        good = false;
+      }
+  CHECK(good);
+}
+
+void test_folder()
+{
+  for (const char* name : {"walk_10.obj", "walk_2.OBJ", "walk_1.obj", ".walk_0.obj", "rest.ply", "notes.txt", "walk.pc2"})
+    folder.write(std::string("walk/") + name, obj(0));
+  std::filesystem::create_directory(folder.path("walk/walk_3.obj"));
+  const std::string walk = folder.path("walk");
+  const auto in_walk = [&](const char* name) { return (std::filesystem::path(walk) / name).string(); };
+  CHECK((IO::frame_files_in_folder(walk) ==
+         std::vector<std::string>{in_walk("walk_1.obj"), in_walk("walk_2.OBJ"), in_walk("walk_10.obj")}));
+
+  folder.write("tie/1.obj", "");
+  folder.write("tie/1.off", "");
+  CHECK_THROWS(Input_error, IO::frame_files_in_folder(folder.path("tie")), ": the folder has as many .obj as .off files");
+  folder.write("empty/.hidden.obj", "");
+  CHECK_THROWS(Input_error, IO::frame_files_in_folder(folder.path("empty")), "empty: the folder has no mesh files");
+  CHECK_THROWS(Input_error, IO::frame_files_in_folder(folder.path("none")), "none: cannot read the folder: No such file");
+}
+
+template <class FT>
+bool is_right(const IO::Animation_file_data<FT>& data, std::size_t frames)
+{
+  if (data.frames != frames || data.mesh.points.size() != 3 || data.mesh.triangles.size() != 1) return false;
+  const Spatio_temporal_field<FT>* fields[] = {&data.x, &data.y, &data.z};
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (fields[c]->number_of_rows() != 3 || fields[c]->number_of_frames() != frames) return false;
+    for (std::size_t v = 0; v < 3; ++v)
+      for (std::size_t f = 0; f < frames; ++f)
+        if ((*fields[c])(v, f) != FT(value(f, v, c))) return false;
+  }
+  return true;
+}
+
+// Numbers of frames around those that are gathered before they are written to the fields.
+template <class FT>
+void test_animation_of()
+{
+  const std::string mesh = folder.write("m.obj", obj(0));
+  for (std::size_t frames : {2u, 7u, 8u, 9u, 16u, 17u, 40u}) {
+    const std::string cache = folder.write("m.pc2", pc2(frames));
+    CHECK(is_right(IO::read_animation<FT>({mesh, cache}), frames));
+  }
+  const std::string cache = folder.write("m.mdd", mdd({0, 0.5f}));
+  const auto data = IO::read_animation<FT>({cache, mesh});
+  CHECK(is_right(data, 2));
+  CHECK((data.times == std::vector<double>{0, 0.5}));
+  CHECK((data.sources == std::vector<std::string>{mesh, cache}));
+  CHECK(data.frame_name(1) == cache + ", frame 1");
+
+  std::vector<std::string> files;
+  for (std::size_t f = 0; f < 11; ++f) files.push_back(folder.write("seq/f" + std::to_string(f) + ".obj", obj(f)));
+  std::vector<std::string> as_of_shell = files;
+  std::sort(as_of_shell.begin(), as_of_shell.end());
+  CHECK(as_of_shell != files);
+  const auto sequence = IO::read_animation<FT>(as_of_shell);
+  CHECK(is_right(sequence, 11));
+  CHECK(sequence.sources == files && sequence.times.empty());
+  CHECK(sequence.frame_name(10) == files[10]);
+  CHECK(is_right(IO::read_animation<FT>({folder.path("seq")}), 11));
+}
+
+void test_animation_errors()
+{
+  const auto error = [](const std::vector<std::string>& inputs, const std::string& message) {
+    CHECK_THROWS(Input_error, IO::read_animation<float>(inputs), message);
+  };
+  const std::string mesh = folder.write("m.obj", obj(0)), cache = folder.write("m.pc2", pc2());
+  const std::string mesh4 = folder.write("m4.obj", "v 1 1 1\n" + obj(0));
+  error({}, "no input: give a mesh and a point cache");
+  error({cache}, cache + ": a point cache holds positions only; give the mesh file");
+  error({mesh}, mesh + ": one mesh is no animation");
+  error({mesh, folder.path("none.pc2")}, folder.path("none.pc2") + ": cannot read: No such file");
+  error({mesh, folder.path("none.obj")}, folder.path("none.obj") + ": cannot read: No such file");
+  error({mesh, cache, cache}, cache + ": a second point cache");
+  error({mesh, mesh4, cache}, mesh4 + ": a second mesh");
+  error({mesh, folder.path()}, folder.path() + ": a folder of frames must be the only input");
+  error({mesh4, cache}, cache + ": has 3 points, but the mesh " + mesh4 + " has 4 vertices");
+  error({mesh, folder.write("one.pc2", pc2(1))}, "one.pc2: one frame is no animation");
+  error({mesh, folder.write("x.txt", "")}, "x.txt: unknown kind of mesh file \".txt\"");
+
+  folder.write("s/f1.obj", obj(0));
+  const std::string second = folder.write("s/f2.obj", obj(1, "f 1 2 3\nf 3 2 1\n"));
+  error({folder.path("s")}, second + ": has 2 triangles, but the first frame, ");
+  folder.write("s/f2.obj", "v 0 0 0\n" + obj(1));
+  error({folder.path("s")}, second + ": has 4 vertices, but the first frame, ");
+  folder.write("s/f2.obj", obj(1, "f 2 1 3\n"));
+  error({folder.path("s")}, second + ": triangle 0 is (1, 0, 2), but (0, 1, 2) in the first frame, ");
+  folder.write("s/f2.obj", "v 0 0 nan\n");
+  error({folder.path("s")}, second + ":1: vertex 0 has a coordinate that is not finite");
+  folder.write("s/f2.obj", "v 0 0 0\nv 0 0 1\nv 1e200 0 0\nf 1 2 3\n");
+  error({folder.path("s")}, second + ": vertex 2 has a coordinate too large for the precision");
+  CHECK(IO::read_animation<double>({folder.path("s")}).x(2, 1) == 1e200);
+
+  // quads
+  folder.write("q/f1.obj", "v 0 0 0\n" + obj(0, "f 1 2 3 4\n"));
+  folder.write("q/f2.obj", "v 0 0 0\n" + obj(1, "f 1 2 3 4\n"));
+  error({folder.path("q")}, "face 0 has 4 corners");
+  IO::Mesh_reading_options options;
+  options.triangulate_faces = true;
+  CHECK(IO::read_animation<float>({folder.path("q")}, options).mesh.triangles.size() == 2);
+}
+
+} // namespace
+
+int main()
+{
+  use_hostile_locale();
+  test_bytes();
+  test_caches();
+  test_pipe();
+  test_natural_order();
+  test_folder();
+  test_animation_of<float>();
+  test_animation_of<double>();
+  test_animation_errors();
+  return test_result();
+}
