@@ -23,8 +23,8 @@
 #include <vector>
 
 #ifdef __unix__
-#include <sys/stat.h>
-#include <thread>
+  #include <sys/stat.h>
+  #include <thread>
 #endif
 
 using namespace CGAL::Animated_mesh_features;
@@ -123,8 +123,10 @@ void test_caches()
   const std::string p = pc2(), m = mdd({0, 1});
   error("x.pc2", "", ": is empty");
   error("x.pc2", p.substr(0, 31), ": ends within the header");
-  error("x.pc2", p.substr(0, 32), ": 3 points in 2 frames take 104 bytes, the file has 32: it is cut off after 0 whole frames");
-  error("x.pc2", p.substr(0, 103), ": 3 points in 2 frames take 104 bytes, the file has 103: it is cut off after 1 whole frames");
+  error("x.pc2", p.substr(0, 32),
+        ": 3 points in 2 frames take 104 bytes, the file has 32: it is cut off after 0 whole frames");
+  error("x.pc2", p.substr(0, 103),
+        ": 3 points in 2 frames take 104 bytes, the file has 103: it is cut off after 1 whole frames");
   error("x.pc2", p + "ab", ": 3 points in 2 frames take 104 bytes, the file has 106: 2 too many");
   error("x.pc2", "POINTCACHE3" + p.substr(11), ": is no PC2 file");
   error("x.pc2", p.substr(0, 12) + little_endian(2u) + p.substr(16), ": is a PC2 file of version 2");
@@ -132,10 +134,12 @@ void test_caches()
   error("x.pc2", p.substr(0, 28) + little_endian(0xffffffffu) + p.substr(32), ": the header announces -1 frames");
   // A header that asks for 2^63 bytes must neither overflow nor allocate.
   error("x.pc2", p.substr(0, 16) + little_endian(0x7fffffffu) + p.substr(20, 8) + little_endian(0x7fffffffu),
-        ": 2147483647 points in 2147483647 frames take 18446744073709551615 bytes, the file has 104: it is cut off after 0");
+        ": 2147483647 points in 2147483647 frames take 18446744073709551615 bytes, the file has 32: it is cut off "
+        "after 0");
   error("x.pc2", p.substr(0, 32 + 36 + 16) + little_endian(0x7f800000u) + p.substr(32 + 36 + 20),
         ": frame 1, vertex 1: the position is not finite");
-  error("x.pc2", p.substr(0, 32 + 68) + little_endian(0xffc00001u) + p.substr(32 + 72), ": frame 1, vertex 2: the position");
+  error("x.pc2", p.substr(0, 32 + 68) + little_endian(0xffc00001u) + p.substr(32 + 72),
+        ": frame 1, vertex 2: the position");
   error("x.mdd", m.substr(0, 7), ": ends within the header");
   error("x.mdd", m.substr(0, 15), ": 3 points in 2 frames take 88 bytes, the file has 15: it is cut off after 0 whole");
   error("x.mdd", m.substr(0, 87), ": 3 points in 2 frames take 88 bytes, the file has 87: it is cut off after 1 whole");
@@ -174,11 +178,38 @@ void test_pipe()
 
 void test_natural_order()
 {
-  const std::vector<std::string> sorted = {
-      "",     "-1",   "0",    "00",  "1",    "01",    "001",  "1.obj",      "2",          "10",
-      "10a2", "10a10", "99999999999999999999998", "99999999999999999999999", "100000000000000000000000",
-      "A1",   "a",    "a0",   "a1",  "a01",  "a1_01", "a01_1", "a1b",       "a2",         "a09",
-      "a10",  "a10b", "aa",   "b2/w1", "b2/w10", "b10/w2", "\xc3\xa4"};
+  const std::vector<std::string> sorted = {"",
+                                           "-1",
+                                           "0",
+                                           "00",
+                                           "1",
+                                           "01",
+                                           "001",
+                                           "1.obj",
+                                           "2",
+                                           "10",
+                                           "10a2",
+                                           "10a10",
+                                           "99999999999999999999998",
+                                           "99999999999999999999999",
+                                           "100000000000000000000000",
+                                           "A1",
+                                           "a",
+                                           "a0",
+                                           "a1",
+                                           "a01",
+                                           "a1_01",
+                                           "a01_1",
+                                           "a1b",
+                                           "a2",
+                                           "a09",
+                                           "a10",
+                                           "a10b",
+                                           "aa",
+                                           "b2/w1",
+                                           "b2/w10",
+                                           "b10/w2",
+                                           "\xc3\xa4"};
   bool good = true;
   for (std::size_t i = 0; i < sorted.size(); ++i)
     for (std::size_t j = 0; j < sorted.size(); ++j)
@@ -191,7 +222,8 @@ void test_natural_order()
 
 void test_folder()
 {
-  for (const char* name : {"walk_10.obj", "walk_2.OBJ", "walk_1.obj", ".walk_0.obj", "rest.ply", "notes.txt", "walk.pc2"})
+  for (const char* name :
+       {"walk_10.obj", "walk_2.OBJ", "walk_1.obj", ".walk_0.obj", "rest.ply", "notes.txt", "walk.pc2"})
     folder.write(std::string("walk/") + name, obj(0));
   std::filesystem::create_directory(folder.path("walk/walk_3.obj"));
   const std::string walk = folder.path("walk");
@@ -201,10 +233,12 @@ void test_folder()
 
   folder.write("tie/1.obj", "");
   folder.write("tie/1.off", "");
-  CHECK_THROWS(Input_error, IO::frame_files_in_folder(folder.path("tie")), ": the folder has as many .obj as .off files");
+  CHECK_THROWS(Input_error, IO::frame_files_in_folder(folder.path("tie")),
+               ": the folder has as many .obj as .off files");
   folder.write("empty/.hidden.obj", "");
   CHECK_THROWS(Input_error, IO::frame_files_in_folder(folder.path("empty")), "empty: the folder has no mesh files");
-  CHECK_THROWS(Input_error, IO::frame_files_in_folder(folder.path("none")), "none: cannot read the folder: No such file");
+  CHECK_THROWS(Input_error, IO::frame_files_in_folder(folder.path("none")),
+               "none: cannot read the folder: No such file");
 }
 
 template <class FT>

@@ -65,14 +65,17 @@ void test_obj()
   check_the_triangle(read("a.obj", v + "f 2//1 3//1 1//1\n"), "normals");
   check_the_triangle(read("a.obj", v + "f 2/1/1 3/-1/1 1/1/-1\n"), "both");
   check_the_triangle(read("a.obj", "f 2 3 1\n" + v), "faces first");
-  check_the_triangle(read("a.obj", "\xef\xbb\xbfv 0 .5 -1 1.0\r\nv +1.25 0 3 0.1 0.2 0.3\r\n\r\nv -2E+3 1 0.001\r\nf 2 3 1\r\n"),
-                     "byte order mark, CRLF, weight, colour, plus");
-  check_the_triangle(read("a.obj", "# v 9 9 9\\\n\tv 0 \\\n0.5\\\r\n -1#c\nv 1.25 0 3\\\n\nvn 1 \\\n  v 2\nv -2000 1 1e-3\n"
-                                   "g x\\\nf 1 1 1\ns 1\nusemtl f 1\nf  2 3 \\\n 1 # f 1 1 1\nl 1 2\np 1\n"),
+  check_the_triangle(
+      read("a.obj", "\xef\xbb\xbfv 0 .5 -1 1.0\r\nv +1.25 0 3 0.1 0.2 0.3\r\n\r\nv -2E+3 1 0.001\r\nf 2 3 1\r\n"),
+      "byte order mark, CRLF, weight, colour, plus");
+  check_the_triangle(read("a.obj",
+                          "# v 9 9 9\\\n\tv 0 \\\n0.5\\\r\n -1#c\nv 1.25 0 3\\\n\nvn 1 \\\n  v 2\nv -2000 1 1e-3\n"
+                          "g x\\\nf 1 1 1\ns 1\nusemtl f 1\nf  2 3 \\\n 1 # f 1 1 1\nl 1 2\np 1\n"),
                      "comments, continued lines, other statements");
 
   // Numbers that only just fit, or do not.
-  CHECK(read("a.obj", "v 1e-400 0 0\nv 1 4.9406564584124654e-324 0\nv 0 1.7976931348623157e308 0\nf 1 2 3\n").points[0][0] == 0);
+  CHECK(read("a.obj", "v 1e-400 0 0\nv 1 4.9406564584124654e-324 0\nv 0 1.7976931348623157e308 0\nf 1 2 3\n")
+            .points[0][0] == 0);
   check_error("a.obj", "v 1 2 3\nv 1e400 0 0\n", ":2: vertex 1 has a coordinate that is not finite");
   check_error("a.obj", "v 1 2 3\nv 0 nan 0\n", ":2: vertex 1 has a coordinate that is not finite");
   check_error("a.obj", "v 1 2 -inf\n", ":1: vertex 0 has a coordinate that is not finite");
@@ -80,13 +83,15 @@ void test_obj()
   check_error("a.obj", "", ": is empty");
   check_error("a.obj", "# nothing\n", ": holds no vertices");
   check_error("a.obj", v, ": holds no faces");
-  check_error("a.obj", v + "f 1 2 4\nf 1 2 9\n", ":4: face 0 has a corner at vertex 3 (counted from 0), the mesh has 3 vertices");
+  check_error("a.obj", v + "f 1 2 4\nf 1 2 9\n",
+              ":4: face 0 has a corner at vertex 3 (counted from 0), the mesh has 3 vertices");
   check_error("a.obj", "f 1 2 3\nf 1 9 2\n" + v + "f 1 8 2\n", ":2: face 1 has a corner at vertex 8");
   check_error("a.obj", v + "f 1 0 2\n", ":4: face 0 has the vertex index 0, OBJ counts from 1");
   check_error("a.obj", v + "f 1 -4 2\n", ":4: face 0 has the vertex index -4, there are 3 vertices before it");
   check_error("a.obj", v + "f 1 2 3\nf 1 2\n", ":5: face 1 has 2 corners only");
-  check_error("a.obj", v + "f 1 2 3\nf 1 2 3 1\n", ":5: face 1 has 4 corners; the mesh must consist of triangles, or be "
-                                                 "read with the option triangulate_faces (command line: --triangulate)");
+  check_error("a.obj", v + "f 1 2 3\nf 1 2 3 1\n",
+              ":5: face 1 has 4 corners; the mesh must consist of triangles, or be "
+              "read with the option triangulate_faces (command line: --triangulate)");
   check_error("a.obj", "v 1 2\nv 1 2 3\n", ":1: the line ends where a coordinate should follow");
   check_error("a.obj", "v 1 2 3\nv 1 2", ":2: the file ends where a coordinate should follow");
   check_error("a.obj", "v 1 2 3\nv 1,5 2 3\n", ":2: \"1,5\" is not a number");
@@ -95,7 +100,8 @@ void test_obj()
   check_error("a.obj", v + "f 1 2 3.5\n", ":4: \"3.5\" is not a whole number");
   check_error("a.obj", v + "f 1 2 99999999999999999999\n", ":4: \"99999999999999999999\" is not a whole number");
   check_error("a.xyz", v, ": unknown kind of mesh file \".xyz\"");
-  CHECK_THROWS(Input_error, IO::read_mesh(folder.path("none.obj")), folder.path("none.obj") + ": cannot read: No such file");
+  CHECK_THROWS(Input_error, IO::read_mesh(folder.path("none.obj")),
+               folder.path("none.obj") + ": cannot read: No such file");
   std::filesystem::create_directory(folder.path("folder.obj"));
   CHECK_THROWS(Input_error, IO::read_mesh(folder.path("folder.obj")), ": cannot read: Is a directory");
 }
@@ -115,8 +121,9 @@ void test_off()
   check_the_triangle(read("a.off", "# made by hand\nOFF 3 1 3 # counts\n\n#\n" + v + "\n# c\n3  1 2 0 255 0 0\n\n#\n"),
                      "comments, counts after the keyword, colour of the face");
   check_the_triangle(read("a.off", "OFF\r\n3 1\r\n0 0.5 -1 \r\n1.25 0 3\r\n-2000 1 1e-3\r\n3 1 2 0"), "CRLF, no edges");
-  check_the_triangle(read("a.off", "STCNOFF\n3 1 0\n0 .5 -1 0 0 1 9 9 9 255 1 1\n1.25 0 3 4 4 4\n-2000 1 1e-3\n3 1 2 0\n"),
-                     "normals, colours, texture coordinates");
+  check_the_triangle(
+      read("a.off", "STCNOFF\n3 1 0\n0 .5 -1 0 0 1 9 9 9 255 1 1\n1.25 0 3 4 4 4\n-2000 1 1e-3\n3 1 2 0\n"),
+      "normals, colours, texture coordinates");
 
   check_error("a.off", "OF\n", ":1: the file starts with \"OF\" instead of OFF");
   check_error("a.off", "4OFF\n1 1 0\n", ":1: the file starts with \"4OFF\" instead of OFF");
@@ -131,7 +138,8 @@ void test_off()
   check_error("a.off", "OFF\n3 1 0\n" + v + "3 1 2 -1\n", ":6: face 0 has a negative vertex index");
   check_error("a.off", "OFF\n3 1 0\n" + v + "4 0 1 2 0\n", ":6: face 0 has 4 corners");
   check_error("a.off", "OFF\n3 1 0\n" + v + "3 1 2\n", ":6: the line ends where a vertex should follow");
-  check_error("a.off", "OFF\n3 1 0\n" + v + "3 1 2 0\n3 2 1 0\n", ":7: the file goes on after the 3 vertices and 1 faces");
+  check_error("a.off", "OFF\n3 1 0\n" + v + "3 1 2 0\n3 2 1 0\n",
+              ":7: the file goes on after the 3 vertices and 1 faces");
   check_error("a.off", "OFF\n3 1 0\n0 0 inf\n" + v, ":3: vertex 0 has a coordinate that is not finite");
   check_error("a.off", "OFF\n0 0 0\n", ": holds no vertices");
 }
@@ -143,11 +151,12 @@ void test_ply()
   const std::string ascii = "ply\nformat ascii 1.0\ncomment hello\n" + counts;
   const std::string v = "0 0.5 -1\n1.25 0 3\n-2000 1 1e-3\n";
   check_the_triangle(read("a.ply", ascii + v + "3 1 2 0\n"), "plain");
-  check_the_triangle(read("a.ply", "ply\r\nformat ascii 1.0\r\nobj_info o\r\nelement thing 1\r\nproperty list int8 float32 l\r\n"
-                                   "element vertex 3\r\nproperty uchar red\r\nproperty double z\r\nproperty double y\r\n"
-                                   "property double x\r\nelement face 1\r\nproperty list uint16 float64 w\r\n"
-                                   "property list uint8 uint16 vertex_index\r\nproperty uint8 q\r\nend_header\r\n"
-                                   "2 7 7\r\n9 -1 .5 0\r\n9 3 0 1.25\r\n9 1e-3 1 -2e3\r\n1 0.5 3 1 2 0 8\r\n"),
+  check_the_triangle(read("a.ply",
+                          "ply\r\nformat ascii 1.0\r\nobj_info o\r\nelement thing 1\r\nproperty list int8 float32 l\r\n"
+                          "element vertex 3\r\nproperty uchar red\r\nproperty double z\r\nproperty double y\r\n"
+                          "property double x\r\nelement face 1\r\nproperty list uint16 float64 w\r\n"
+                          "property list uint8 uint16 vertex_index\r\nproperty uint8 q\r\nend_header\r\n"
+                          "2 7 7\r\n9 -1 .5 0\r\n9 3 0 1.25\r\n9 1e-3 1 -2e3\r\n1 0.5 3 1 2 0 8\r\n"),
                      "other elements, properties and types, CRLF");
 
   std::string little, big;
@@ -189,9 +198,12 @@ void test_ply()
   check_error("a.ply", little_header + little.substr(0, 35), ": vertex 2: the file ends here");
   check_error("a.ply", little_header + little.substr(0, 48), ": face 0: the file ends here");
   check_error("a.ply", little_header + little + "x", ": the file goes on after all elements");
-  check_error("a.ply", little_header + little_endian(0x7fc00000u) + little.substr(4), ": vertex 0 has a coordinate that is not finite");
-  check_error("a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
-                       "property float z\nend_header\nabc", ": vertex 0: the file ends here");
+  check_error("a.ply", little_header + little_endian(0x7fc00000u) + little.substr(4),
+              ": vertex 0 has a coordinate that is not finite");
+  check_error("a.ply",
+              "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
+              "property float z\nend_header\nabc",
+              ": vertex 0: the file ends here");
 }
 
 void test_stl()
@@ -222,15 +234,17 @@ void test_stl()
   std::string header(80, 'h');
   check_error("a.stl", "  \n", ": is empty");
   check_error("a.stl", "hello", ": is neither ASCII STL");
-  check_error("a.stl", header + binary.substr(80, 60),
-              ": binary STL of 2 triangles takes 184 bytes, the file has 140");
-  check_error("a.stl", header + binary.substr(80) + "x", ": binary STL of 2 triangles takes 184 bytes, the file has 185");
+  check_error("a.stl", header + binary.substr(80, 60), ": binary STL of 2 triangles takes 184 bytes, the file has 140");
+  check_error("a.stl", header + binary.substr(80) + "x",
+              ": binary STL of 2 triangles takes 184 bytes, the file has 185");
   check_error("a.stl", start, ":9: the file ends within a solid, after face 1");
   check_error("a.stl", start.substr(0, 60), ":4: ");
   check_error("a.stl", start.substr(0, start.find("endloop")), ":7: the file ends within face 0");
   check_error("a.stl", "solid\nfacet\nouter ring\n", ":3: \"ring\" where \"loop\" should follow");
-  check_error("a.stl", "solid\nfacet\nouter loop\nvertex 1 2 nan\n", ":4: vertex 0 has a coordinate that is not finite");
-  check_error("a.stl", "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\n",
+  check_error("a.stl", "solid\nfacet\nouter loop\nvertex 1 2 nan\n",
+              ":4: vertex 0 has a coordinate that is not finite");
+  check_error("a.stl",
+              "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendloop\nendfacet\n",
               ":2: face 0 has 4 corners");
 }
 

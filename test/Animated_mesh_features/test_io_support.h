@@ -65,7 +65,8 @@ public:
   // files, folders and links, hidden ones too
   std::size_t number_of_entries() const
   {
-    return std::size_t(std::distance(std::filesystem::directory_iterator(m_path), std::filesystem::directory_iterator()));
+    return std::size_t(
+        std::distance(std::filesystem::directory_iterator(m_path), std::filesystem::directory_iterator()));
   }
 
 private:

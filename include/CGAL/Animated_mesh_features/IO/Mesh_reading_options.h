@@ -7,12 +7,9 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_MESH_READING_OPTIONS_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_MESH_READING_OPTIONS_H
 
-
-
 namespace CGAL {
 namespace Animated_mesh_features {
 namespace IO {
-
 
 /*!
 \ingroup PkgAnimatedMeshFeaturesIO

@@ -54,7 +54,9 @@ public:
   opens `name` for writing, in binary mode.
   \throws Output_error if it cannot be opened, is a folder, or exists and is not writable.
   */
-  explicit Output_file(const std::string& name) : m_name(name), m_stream(&m_buffer)
+  explicit Output_file(const std::string& name)
+    : m_name(name)
+    , m_stream(&m_buffer)
   {
     if (is_standard_output(name)) {
       m_name = "standard output";

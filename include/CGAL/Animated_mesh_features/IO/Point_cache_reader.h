@@ -27,7 +27,6 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace IO {
 
-
 /*!
 \ingroup PkgAnimatedMeshFeaturesIO
 
@@ -47,7 +46,9 @@ public:
   \throws Input_error if the file cannot be read, is no point cache, is shorter than its header says (the message
   counts the whole frames there are) or longer, or has no points or no frames.
   */
-  explicit Point_cache_reader(const std::string& path) : m_path(path), m_file(internal::open_for_reading(path))
+  explicit Point_cache_reader(const std::string& path)
+    : m_path(path)
+    , m_file(internal::open_for_reading(path))
   {
     const std::string e = internal::ending(path);
     if (e == ".pc2") {

@@ -19,7 +19,6 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace IO {
 
-
 /*!
 \ingroup PkgAnimatedMeshFeaturesIO
 

@@ -23,7 +23,6 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace IO {
 
-
 /*!
 \ingroup PkgAnimatedMeshFeaturesIO
 

@@ -29,7 +29,6 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace IO {
 
-
 /*!
 \ingroup PkgAnimatedMeshFeaturesIO
 
@@ -166,7 +165,8 @@ Animation_file_data<FT> read_animation(const std::vector<std::string>& inputs,
     internal::read_point_cache(meshes[0], caches[0], options, data);
   } else {
     if (meshes.size() == 1)
-      throw Input_error(meshes[0] + ": one mesh is no animation; give the point cache that belongs to it, or more frames");
+      throw Input_error(meshes[0] +
+                        ": one mesh is no animation; give the point cache that belongs to it, or more frames");
     std::sort(meshes.begin(), meshes.end(), [](const auto& a, const auto& b) { return natural_order(a, b); });
     internal::read_frame_files(meshes, options, data);
   }

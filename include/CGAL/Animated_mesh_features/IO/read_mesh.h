@@ -23,7 +23,6 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace IO {
 
-
 namespace internal {
 
 // The form for many files: the memory of `content` and `mesh` is reused.

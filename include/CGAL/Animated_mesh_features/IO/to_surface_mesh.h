@@ -26,7 +26,6 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace IO {
 
-
 namespace internal {
 
 // The edge from `source` to `target` as a triangle walks along it: its corner number `corner` is at `source`.
@@ -110,9 +109,11 @@ inline void check_manifold(const Indexed_mesh& mesh, const std::string& name)
     const std::size_t fan = fans.find_set(c);
     if (fan_of_vertex[v] == none) fan_of_vertex[v] = fan;
     if (fan_of_vertex[v] != fan)
-      throw_no_surface(name, "vertex " + std::to_string(v) + " joins parts of the surface that share no edge there, "
-                                 "with faces " + std::to_string(fan_of_vertex[v] / 3) + " and " +
-                                 std::to_string(c / 3) + " among them; the mesh must be a manifold");
+      throw_no_surface(name, "vertex " + std::to_string(v) +
+                                 " joins parts of the surface that share no edge there, "
+                                 "with faces " +
+                                 std::to_string(fan_of_vertex[v] / 3) + " and " + std::to_string(c / 3) +
+                                 " among them; the mesh must be a manifold");
   }
 }
 

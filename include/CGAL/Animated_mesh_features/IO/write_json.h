@@ -23,14 +23,15 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace IO {
 
-
 namespace internal {
 
 // JSON of values; JSON has no infinity and no NaN, they become `null`.
 class Json_output
 {
 public:
-  explicit Json_output(std::ostream& os) : m_out(os) {}
+  explicit Json_output(std::ostream& os)
+    : m_out(os)
+  {}
 
   Json_output& raw(std::string_view text)
   {
@@ -65,7 +66,7 @@ private:
     } else if constexpr (std::is_same<T, std::monostate>::value) {
       m_out << "null";
     } else if constexpr (std::is_same<T, Result_description::Value>::value) {
-      std::visit([this](const auto& v) { put(v); }, value);
+      std::visit([this](const auto& v) { this->put(v); }, value);
     } else if constexpr (std::is_convertible<const T&, std::string_view>::value) {
       std::string quoted;
       append_json_string(quoted, value);

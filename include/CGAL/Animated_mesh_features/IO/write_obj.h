@@ -18,7 +18,6 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace IO {
 
-
 /*!
 \ingroup PkgAnimatedMeshFeaturesIO
 

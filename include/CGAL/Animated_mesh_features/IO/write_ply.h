@@ -24,7 +24,6 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace IO {
 
-
 /*!
 \ingroup PkgAnimatedMeshFeaturesIO
 

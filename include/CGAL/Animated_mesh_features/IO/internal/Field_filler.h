@@ -22,7 +22,6 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-
 // Turns frames that come one by one, vertex by vertex, into fields whose rows are vertices. A frame alone would touch a
 // cache line of every row for one number; frames are therefore gathered until they fill the line.
 template <class FT>

@@ -21,7 +21,9 @@ namespace internal {
 class File_buffer : public std::streambuf
 {
 public:
-  explicit File_buffer(std::FILE* file = nullptr) : m_file(file) {}
+  explicit File_buffer(std::FILE* file = nullptr)
+    : m_file(file)
+  {}
 
   void set_file(std::FILE* file) { m_file = file; }
 

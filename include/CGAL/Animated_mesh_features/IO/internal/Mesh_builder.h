@@ -22,7 +22,6 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-
 // What the readers of all formats have in common: it collects points and faces and refuses what is no triangle mesh.
 // `line` is 0 where a file has no lines. Vertices and faces are counted from 0, as everywhere in the package.
 class Mesh_builder

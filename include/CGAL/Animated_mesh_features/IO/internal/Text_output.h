@@ -20,13 +20,14 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-
-// Text for a stream, in large pieces and whatever the stream's locale. Nothing is written before `flush()` that was not
-// asked to be; a destructor could not report errors.
+// Text for a stream, in large pieces and whatever the stream's locale. To be ended by `flush()`: a destructor could not
+// let an exception of the stream pass.
 class Text_output
 {
 public:
-  explicit Text_output(std::ostream& os) : m_os(os) {}
+  explicit Text_output(std::ostream& os)
+    : m_os(os)
+  {}
 
   Text_output& operator<<(std::string_view text)
   {

@@ -20,7 +20,6 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-
 // Reads a text that is in memory, line by line and token by token, and knows the line for messages. Carriage returns
 // are blanks, so that line ends of any system do.
 class Text_scanner

@@ -16,7 +16,6 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-
 // The length of the UTF-8 sequence at the start of `s`, which is not empty; 0 if there is no valid one.
 inline std::size_t utf8_sequence_length(std::string_view s)
 {

@@ -20,13 +20,34 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-enum class Byte_order { LITTLE_ENDIAN_ORDER, BIG_ENDIAN_ORDER };
+enum class Byte_order
+{
+  LITTLE_ENDIAN_ORDER,
+  BIG_ENDIAN_ORDER
+};
 
-template <std::size_t size> struct Unsigned_of_size;
-template <> struct Unsigned_of_size<1> { typedef std::uint8_t type; };
-template <> struct Unsigned_of_size<2> { typedef std::uint16_t type; };
-template <> struct Unsigned_of_size<4> { typedef std::uint32_t type; };
-template <> struct Unsigned_of_size<8> { typedef std::uint64_t type; };
+template <std::size_t size>
+struct Unsigned_of_size;
+template <>
+struct Unsigned_of_size<1>
+{
+  typedef std::uint8_t type;
+};
+template <>
+struct Unsigned_of_size<2>
+{
+  typedef std::uint16_t type;
+};
+template <>
+struct Unsigned_of_size<4>
+{
+  typedef std::uint32_t type;
+};
+template <>
+struct Unsigned_of_size<8>
+{
+  typedef std::uint64_t type;
+};
 
 template <class T>
 T load(const char* bytes, Byte_order order)

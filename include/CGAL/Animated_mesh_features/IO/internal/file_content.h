@@ -22,7 +22,6 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-
 struct File_closer
 {
   void operator()(std::FILE* file) const { std::fclose(file); }

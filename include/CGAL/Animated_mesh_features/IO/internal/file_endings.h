@@ -16,7 +16,6 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-
 // ".obj" of "Walk.OBJ"; letters of ASCII only, so that the locale has no say.
 inline std::string ending(const std::string& path)
 {
@@ -31,7 +30,10 @@ inline bool is_mesh_ending(const std::string& e)
   return e == ".obj" || e == ".off" || e == ".ply" || e == ".stl";
 }
 
-inline bool is_cache_ending(const std::string& e) { return e == ".pc2" || e == ".mdd"; }
+inline bool is_cache_ending(const std::string& e)
+{
+  return e == ".pc2" || e == ".mdd";
+}
 
 } // namespace internal
 } // namespace IO

@@ -20,7 +20,6 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-
 // Wavefront OBJ: the statements `v` and `f`; all others (normals, texture coordinates, groups, materials, lines, free
 // forms) say nothing about the surface and are skipped.
 inline void parse_obj(const std::string& text, const std::string& file, const Mesh_reading_options& options,
@@ -33,7 +32,7 @@ inline void parse_obj(const std::string& text, const std::string& file, const Me
     const std::string_view statement = in.token();
     if (statement == "v") {
       const double x = in.number("a coordinate"), y = in.number("a coordinate"), z = in.number("a coordinate");
-      builder.add_point(x, y, z, in.line()); // a weight or a colour may follow
+      builder.add_point(x, y, z, in.line());            // a weight or a colour may follow
     } else if (statement == "f" || statement == "fo") { // the second is the first's old name
       corners.clear();
       while (!in.at_end_of_line()) {

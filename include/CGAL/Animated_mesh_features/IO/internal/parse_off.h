@@ -20,7 +20,6 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-
 inline std::size_t off_count(Text_scanner& in, const char* what)
 {
   in.skip_space();

@@ -26,12 +26,13 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-
 // STL repeats a vertex in each of its triangles: equal coordinates are the same vertex, numbered as they come.
 class Stl_vertices
 {
 public:
-  explicit Stl_vertices(Mesh_builder& builder) : m_builder(builder) {}
+  explicit Stl_vertices(Mesh_builder& builder)
+    : m_builder(builder)
+  {}
 
   std::size_t operator()(double x, double y, double z, std::size_t line)
   {
@@ -71,7 +72,8 @@ inline void parse_ascii_stl(const std::string& text, const std::string& file, Me
     stl_expect(in, "solid");
     in.next_line(); // its name
     for (std::string_view word = stl_word(in); word != "endsolid"; word = stl_word(in)) {
-      if (word.empty()) in.fail("the file ends within a solid, after face " + std::to_string(builder.number_of_faces()));
+      if (word.empty())
+        in.fail("the file ends within a solid, after face " + std::to_string(builder.number_of_faces()));
       if (word != "facet") in.fail(Text_scanner::quoted(word) + " where \"facet\" or \"endsolid\" should follow");
       const std::size_t line = in.line();
       in.next_line(); // its normal
