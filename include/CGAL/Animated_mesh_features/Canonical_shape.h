@@ -8,15 +8,89 @@
 #define CGAL_ANIMATED_MESH_FEATURES_CANONICAL_SHAPE_H
 
 #include <CGAL/Animated_mesh_features/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/internal/Edge_measures.h>
 #include <CGAL/Animated_mesh_features/internal/Flat_animation.h>
+#include <CGAL/Animated_mesh_features/internal/Surface_assembly.h>
+#include <CGAL/Animated_mesh_features/internal/Surface_components.h>
+#include <CGAL/Animated_mesh_features/internal/Surface_plan.h>
+#include <CGAL/Animated_mesh_features/internal/nearest_rotation.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace CGAL {
 namespace Animated_mesh_features {
 
+/*!
+\ingroup PkgAnimatedMeshFeaturesRef
+
+The shape that an animation deforms about: the surface whose edge lengths and dihedral angles are, as closely as a
+surface can have them, the averages over all frames (arithmetic means of lengths, circular means of angles).
+
+A mean of positions would not do: where a part turns, it shrinks towards the axis. Lengths and angles do not change
+under rotation, and they determine the surface up to a rigid motion (Y. Lipman et al., Linear rotation-invariant
+coordinates for meshes, ACM Trans. Graph. 24(3), 2005); S. Fröhlich and M. Botsch, Example-driven deformations based on
+discrete shells, Computer Graphics Forum 30(8), 2011, blend shapes by them. The surface is rebuilt as in Y. Wang, B. Liu
+and Y. Tong, Linear surface reconstruction from discrete fundamental forms on triangle meshes, Computer Graphics Forum
+31(8), 2012: one frame for each triangle from a sparse linear system, then positions from another. As averages need not
+belong to any surface, rounds of local and global steps follow until angles and lengths are in balance.
+
+Each connected component is rebuilt on its own, starting from the frame of the animation in which it is closest to the
+averages, and is moved rigidly to where it fits its first frame best. An isolated vertex is put to its mean position. A
+triangle of zero height, or one that collapses in some frame, continues its neighbours.
+
+If all frames are the same surface up to rigid motions, the result is that surface to rounding (some `1e-11` of its
+size); surfaces that are the same but for a bend to either side give the straight one.
+
+\param animation connectivity and frames; the points of `animation.rest` are not used.
+\returns a point for each vertex, in the mesh's unit of length. It depends on frames and connectivity only, bit for bit:
+  not on the order of faces, nor on threads, of which it uses one.
+
+\throw Numerical_error if a factorisation fails, as with coordinates whose squares overflow.
+
+Complexity: `O(F N)` for the averages, two sparse Cholesky factorisations of size 3 x faces and N (`O(N log N)` entries),
+and some 100 to 200 rounds of `O(N log N)`. About 2 s for 8,400 vertices and 48 frames, 8 s for 33,700.
+*/
 template <class FT>
-std::vector<Rest_shape::Point> canonical_shape(const internal::Flat_animation<FT>& animation);
+std::vector<Rest_shape::Point> canonical_shape(const internal::Flat_animation<FT>& animation)
+{
+  using namespace internal;
+  const Rest_shape& shape = animation.rest;
+  const Triangle_adjacency adjacency(shape);
+  const std::vector<Surface_component> components = surface_components(shape);
+  const Edge_measures mean = mean_edge_measures(animation, adjacency);
+  const std::vector<std::size_t> closest = closest_frames(animation, adjacency, components, mean);
+
+  std::vector<Rest_shape::Point> result(shape.number_of_vertices());
+  std::vector<std::size_t> rank((std::max)(shape.number_of_vertices(), shape.triangles().size()));
+  std::vector<Rest_shape::Point> normals;
+  for (std::size_t f = 0; f < animation.number_of_frames(); ++f) {
+    if (std::find(closest.begin(), closest.end(), f) == closest.end()) continue;
+    const std::vector<Rest_shape::Point> points = animation.frame(f);
+    triangle_normals(shape, adjacency, points, normals);
+    for (std::size_t c = 0; c < components.size(); ++c) {
+      if (closest[c] != f || components[c].triangles.empty()) continue;
+      const std::vector<Rest_shape::Index>& vertices = components[c].vertices;
+      std::vector<Rest_shape::Point> start, start_normals, target;
+      for (Rest_shape::Index v : vertices) {
+        start.push_back(points[v]);
+        target.push_back(animation.point(v, 0));
+      }
+      for (Rest_shape::Index t : components[c].triangles) start_normals.push_back(normals[t]);
+      const Surface_plan plan(shape, adjacency, components[c], mean, rank);
+      const Surface_assembly assembly(plan, start, start_normals);
+      const std::vector<Rest_shape::Point> placed = fitted_rigidly(assembly.points(), target);
+      for (std::size_t i = 0; i < vertices.size(); ++i) result[vertices[i]] = placed[i];
+    }
+  }
+  for (const Surface_component& component : components) {
+    if (!component.triangles.empty()) continue;
+    Rest_shape::Point sum = Rest_shape::Point::Zero();
+    for (std::size_t f = 0; f < animation.number_of_frames(); ++f) sum += animation.point(component.vertices[0], f);
+    result[component.vertices[0]] = sum / double(animation.number_of_frames());
+  }
+  return result;
+}
 
 } // namespace Animated_mesh_features
 } // namespace CGAL

@@ -33,10 +33,8 @@ struct Edge_measures
 
 // The unit normals of all triangles. A triangle whose height is within rounding of zero has no normal of its own: it
 // continues its neighbours, turned about its longest edge so as to be perpendicular to it.
-inline void triangle_normals(const Rest_shape& shape,
-                             const Triangle_adjacency& adjacency,
-                             const std::vector<Eigen::Vector3d>& points,
-                             std::vector<Eigen::Vector3d>& normals)
+inline void triangle_normals(const Rest_shape& shape, const Triangle_adjacency& adjacency,
+                             const std::vector<Eigen::Vector3d>& points, std::vector<Eigen::Vector3d>& normals)
 {
   // Heights that follow from lengths are lost below the square root of the precision.
   const double flat = std::sqrt(std::numeric_limits<double>::epsilon());
@@ -72,10 +70,8 @@ inline void triangle_normals(const Rest_shape& shape,
   for (Eigen::Vector3d& normal : normals) normal.normalize();
 }
 
-inline void measure_edges(const Rest_shape& shape,
-                          const Triangle_adjacency& adjacency,
-                          const std::vector<Eigen::Vector3d>& points,
-                          const std::vector<Eigen::Vector3d>& normals,
+inline void measure_edges(const Rest_shape& shape, const Triangle_adjacency& adjacency,
+                          const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& normals,
                           Edge_measures& measures)
 {
   measures.lengths.resize(shape.edges().size());
@@ -125,6 +121,36 @@ Edge_measures mean_edge_measures(const Flat_animation<FT>& animation, const Tria
       mean.angles[e] = Eigen::Vector2d::UnitX();
   }
   return mean;
+}
+
+// For each component the frame whose lengths and angles are closest to the mean, the first one of equals.
+// Complexity: O(F N).
+template <class FT>
+std::vector<std::size_t> closest_frames(const Flat_animation<FT>& animation, const Triangle_adjacency& adjacency,
+                                        const std::vector<Surface_component>& components, const Edge_measures& mean)
+{
+  std::vector<std::size_t> closest(components.size(), 0);
+  std::vector<double> least(components.size(), (std::numeric_limits<double>::max)());
+  std::vector<Eigen::Vector3d> normals;
+  Edge_measures one;
+  for (std::size_t f = 0; f < animation.number_of_frames(); ++f) {
+    const std::vector<Eigen::Vector3d> points = animation.frame(f);
+    triangle_normals(animation.rest, adjacency, points, normals);
+    measure_edges(animation.rest, adjacency, points, normals, one);
+    for (std::size_t c = 0; c < components.size(); ++c) {
+      double distance = 0;
+      for (Rest_shape::Index e : components[c].edges) {
+        const double l = mean.lengths[e], stretch = one.lengths[e] - l;
+        distance += stretch * stretch;
+        if (adjacency.is_interior(e)) distance += l * l * (one.angles[e] - mean.angles[e]).squaredNorm();
+      }
+      if (distance < least[c]) {
+        least[c] = distance;
+        closest[c] = f;
+      }
+    }
+  }
+  return closest;
 }
 
 } // namespace internal

@@ -30,8 +30,8 @@ struct Triangle_adjacency
     unsigned corner = 0;
   };
 
-  std::vector<std::array<Side, 2>> sides;         // of each edge: left, right
-  std::vector<std::array<Index, 3>> edges;        // of each triangle: from corner k to corner k + 1
+  std::vector<std::array<Side, 2>> sides;  // of each edge: left, right
+  std::vector<std::array<Index, 3>> edges; // of each triangle: from corner k to corner k + 1
 
   explicit Triangle_adjacency(const Rest_shape& shape)
     : sides(shape.edges().size())
@@ -110,9 +110,8 @@ inline std::vector<Surface_component> surface_components(const Rest_shape& shape
   for (std::size_t t = 0; t < shape.triangles().size(); ++t)
     result[component[shape.triangles()[t][0]]].triangles.push_back(Index(t));
   for (Surface_component& c : result)
-    std::sort(c.triangles.begin(), c.triangles.end(), [&shape](Index a, Index b) {
-      return shape.triangles()[a] < shape.triangles()[b];
-    });
+    std::sort(c.triangles.begin(), c.triangles.end(),
+              [&shape](Index a, Index b) { return shape.triangles()[a] < shape.triangles()[b]; });
   return result;
 }
 

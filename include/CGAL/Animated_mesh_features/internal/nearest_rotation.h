@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_ANIMATED_MESH_FEATURES_INTERNAL_ROTATION_FIT_H
-#define CGAL_ANIMATED_MESH_FEATURES_INTERNAL_ROTATION_FIT_H
+#ifndef CGAL_ANIMATED_MESH_FEATURES_INTERNAL_NEAREST_ROTATION_H
+#define CGAL_ANIMATED_MESH_FEATURES_INTERNAL_NEAREST_ROTATION_H
 
 #include <Eigen/Dense>
 
@@ -47,8 +47,9 @@ inline Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& m)
   return nearest_rotation_svd(m);
 }
 
-// Moves `points` rigidly to where they fit `target` best in the sense of least squares; Kabsch as above.
-inline void fit_rigidly(std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& target)
+// `points` moved rigidly to where they fit `target` best in the sense of least squares; Kabsch as above.
+inline std::vector<Eigen::Vector3d> fitted_rigidly(const std::vector<Eigen::Vector3d>& points,
+                                                   const std::vector<Eigen::Vector3d>& target)
 {
   Eigen::Vector3d from = Eigen::Vector3d::Zero(), to = from;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -60,11 +61,13 @@ inline void fit_rigidly(std::vector<Eigen::Vector3d>& points, const std::vector<
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (std::size_t i = 0; i < points.size(); ++i) covariance += (target[i] - to) * (points[i] - from).transpose();
   const Eigen::Matrix3d r = nearest_rotation_svd(covariance);
-  for (Eigen::Vector3d& p : points) p = r * (p - from) + to;
+  std::vector<Eigen::Vector3d> moved(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) moved[i] = r * (points[i] - from) + to;
+  return moved;
 }
 
 } // namespace internal
 } // namespace Animated_mesh_features
 } // namespace CGAL
 
-#endif // CGAL_ANIMATED_MESH_FEATURES_INTERNAL_ROTATION_FIT_H
+#endif // CGAL_ANIMATED_MESH_FEATURES_INTERNAL_NEAREST_ROTATION_H
