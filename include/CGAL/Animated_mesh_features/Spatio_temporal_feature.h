@@ -64,8 +64,8 @@ struct Spatio_temporal_feature
   /// the scale-normalised space-time difference of Gaussians at the feature; negative.
   double response = 0;
 
-  /// `true` if the response is still falling where the searched range of \f$\sigma\f$ or \f$\tau\f$ ends, so that
-  /// the true scale may lie outside of it.
+  /// `true` if the feature was found at the smallest or largest searched \f$\sigma\f$ or \f$\tau\f$, as happens on
+  /// bands and tubes, of which the scale runs away: its true scale may lie outside of the range.
   bool at_scale_limit = false;
 
   /// `-response`, positive: features are sorted by it.

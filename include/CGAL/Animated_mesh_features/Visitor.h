@@ -51,17 +51,18 @@ draw or look at a user interface without locking.
 */
 struct Default_visitor
 {
-  /// called once when a stage begins.
+  /// called when a stage begins. `SCALE_SPACE` and `EXTREMA` begin and end alternately, once for each batch of space levels,
+  /// and their fractions go on growing; the other stages begin once.
   void begin(Stage) {}
 
   /*!
-  called between portions of the work of a stage, about a hundred times a stage, with `fraction` growing from 0 to 1.
+  called between portions of the work of a stage, at least 30 times a stage, with `fraction` growing from 0 to 1.
   Stages of which a part cannot be divided (a factorisation) are silent for that time.
   \returns whether to go on. If `false`, `Cancelled` is thrown out of the detector within one portion of work.
   */
   bool progress(Stage, double /* fraction */) { return true; }
 
-  /// called once when a stage ends, also if it ends by an exception.
+  /// called when a stage ends, also if it ends by an exception.
   void end(Stage) {}
 };
 

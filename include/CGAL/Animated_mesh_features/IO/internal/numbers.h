@@ -7,6 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_NUMBERS_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_NUMBERS_H
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <cstring>
@@ -56,6 +57,14 @@ inline bool parse_number(const char*& p, const char* end, double& x)
   if (r.ec == std::errc()) return true;
   const std::string digits(begin, r.ptr); // too large or too small, std::from_chars does not tell which
 #else
+  const char* word = begin;
+  if (word != end && *word == '-') ++word;
+  for (const char* not_finite : {"nan", "inf", "NaN", "Inf", "NAN", "INF"})
+    if (end - word >= 3 && std::equal(word, word + 3, not_finite)) {
+      p = word + 3;
+      x = std::numeric_limits<double>::infinity(); // which of them is all the same
+      return true;
+    }
   const char* last = begin;
   while (last != end && *last != '\0' && std::strchr("0123456789+-.eE", *last) != nullptr) ++last;
   if (last == begin) return false;

@@ -37,9 +37,8 @@ public:
   std::size_t operator()(double x, double y, double z, std::size_t line)
   {
     const std::size_t next = m_builder.number_of_points();
-    // one zero only, hashes tell -0 from 0
-    const std::array<double, 3> key = {{x == 0 ? 0. : x, y == 0 ? 0. : y, z == 0 ? 0. : z}};
-    const auto inserted = m_ids.emplace(key, next);
+    // -0 and 0 are equal, to boost::hash too
+    const auto inserted = m_ids.emplace(std::array<double, 3>{{x, y, z}}, next);
     if (inserted.second) m_builder.add_point(x, y, z, line);
     return inserted.first->second;
   }

@@ -1,0 +1,309 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_FEATURE_DETECTOR_H
+#define CGAL_ANIMATED_MESH_FEATURES_FEATURE_DETECTOR_H
+
+#include <CGAL/Animated_mesh_features/Detection_options.h>
+#include <CGAL/Animated_mesh_features/Spatio_temporal_feature.h>
+#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Visitor.h>
+#include <CGAL/Animated_mesh_features/curvature.h>
+#include <CGAL/Animated_mesh_features/deformation.h>
+#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/internal/Animation_access.h>
+#include <CGAL/Animated_mesh_features/internal/Scale_space_engine.h>
+#include <CGAL/Animated_mesh_features/internal/refine_extremum.h>
+#include <CGAL/Animated_mesh_features/internal/suppress_non_maxima.h>
+#include <CGAL/Animated_mesh_features/strain.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesRef
+
+The detector for repeated use. What was computed is kept: the geodesic balls, the three fields, and all minima of the response with
+their refined places. Asking again with another threshold costs next to nothing.
+
+\tparam Animation a model of `MeshAnimation`. It is kept by reference.
+\tparam Options a `Detection_options`.
+\tparam ConcurrencyTag `CGAL::Parallel_if_available_tag` or `CGAL::Sequential_tag`. Results are the same, bit for bit.
+*/
+template <class Animation, class Options = Calibrated_options, class ConcurrencyTag = CGAL::Parallel_if_available_tag>
+class Feature_detector
+{
+  typedef internal::Animation_access<Animation> Access;
+
+public:
+  typedef typename Animation::FT FT;
+  typedef Spatio_temporal_field<FT> Field;
+  typedef typename Access::Sequence::vertex_descriptor vertex_descriptor;
+  typedef Spatio_temporal_feature<vertex_descriptor> Feature;
+
+  explicit Feature_detector(const Animation& animation, Options options = Options())
+    : m_access(animation)
+    , m_options(std::move(options))
+  {
+  }
+
+  const Options& options() const { return m_options; }
+
+  /// which minima become features may be changed at any time.
+  Feature_selection& selection() { return m_options.selection; }
+
+  /// \name Fields
+  /// computed at the first call. The visitor is a model of `DetectionVisitor`.
+  /// \throw Numerical_error, Cancelled, Option_error
+  /// @{
+
+  /// `N x F` strains.
+  template <class Visitor>
+  const Field& strain(Visitor& visitor)
+  {
+    if (!m_strain) {
+      const internal::Stage_scope<Visitor> stage(visitor, Stage::STRAIN);
+      m_strain = internal::vertex_strain_rows(animation(), m_options.strain, m_options.triangle_weights,
+                                              loop(visitor, Stage::STRAIN));
+    }
+    return *m_strain;
+  }
+
+  /// `N x F` absolute changes of curvature from the rest shape.
+  template <class Visitor>
+  const Field& curvature_change(Visitor& visitor)
+  {
+    if (!m_curvature_change) {
+      const Compressed_rows& balls = geodesic_balls(visitor);
+      const internal::Stage_scope<Visitor> stage(visitor, Stage::CURVATURE);
+      m_curvature_change =
+          internal::curvature_change_rows(animation(), balls, m_options.curvature, loop(visitor, Stage::CURVATURE));
+    }
+    return *m_curvature_change;
+  }
+
+  /// `N x F` deformations, in which features are found.
+  template <class Visitor>
+  const Field& deformation(Visitor& visitor)
+  {
+    if (!m_deformation) {
+      // a weight of zero spares the balls
+      if (m_options.alpha == 0)
+        m_deformation = strain(visitor);
+      else {
+        const Field& change = curvature_change(visitor);
+        m_deformation = Animated_mesh_features::deformation(strain(visitor), change, m_options.alpha);
+      }
+    }
+    return *m_deformation;
+  }
+
+  const Field& strain() { return strain(m_default_visitor); }
+  const Field& curvature_change() { return curvature_change(m_default_visitor); }
+  const Field& deformation() { return deformation(m_default_visitor); }
+
+  /// takes a field of the user's own, `N x F`, in place of the deformation: temperature, muscle activity, error of a simulation.
+  /// \throw Option_error if its shape is another; Input_error if a value is not finite.
+  void set_deformation(Field field)
+  {
+    if (field.number_of_rows() != animation().number_of_vertices() ||
+        field.number_of_frames() != animation().number_of_frames())
+      throw Option_error("the field is " + std::to_string(field.number_of_rows()) + " x " +
+                         std::to_string(field.number_of_frames()) + ", the animation " +
+                         std::to_string(animation().number_of_vertices()) + " x " +
+                         std::to_string(animation().number_of_frames()));
+    m_deformation = std::move(field);
+    check_finite(*m_deformation);
+    m_minima.reset();
+  }
+
+  /// the ball of each vertex on the rest shape.
+  template <class Visitor>
+  const Compressed_rows& geodesic_balls(Visitor& visitor)
+  {
+    if (!m_balls) {
+      const internal::Stage_scope<Visitor> stage(visitor, Stage::GEODESIC_BALLS);
+      const Rest_shape& shape = animation().rest;
+      if (!(m_options.ball_radius >= 0) || !std::isfinite(m_options.ball_radius))
+        throw Option_error("the radius of the geodesic balls must be positive");
+      m_balls = m_options.balls(shape, m_options.ball_radius > 0 ? m_options.ball_radius : default_ball_radius(shape),
+                                loop(visitor, Stage::GEODESIC_BALLS));
+    }
+    return *m_balls;
+  }
+
+  /// @}
+
+  /*!
+  writes the features to `out`, strongest first.
+
+  Time: linear in `N F` times the number of space levels times the number of time levels, plus the spatial filter.
+  Memory: up to 12 fields of `N x F`.
+
+  \param out an output iterator of `Feature`.
+  \param visitor a model of `DetectionVisitor`.
+  \throw Option_error, Numerical_error, Cancelled. Nothing is written then.
+  */
+  template <class OutputIterator, class Visitor>
+  OutputIterator operator()(OutputIterator out, Visitor& visitor)
+  {
+    check_selection();
+    if (!m_minima) find_minima(visitor);
+    const std::vector<Feature> selected = select();
+    return std::copy(selected.begin(), selected.end(), out);
+  }
+
+  template <class OutputIterator>
+  OutputIterator operator()(OutputIterator out)
+  {
+    return operator()(out, m_default_visitor);
+  }
+
+  /// the number of minima of the response, before thresholds and suppression; 0 before the first detection.
+  std::size_t number_of_minima() const { return m_minima ? m_minima->size() : 0; }
+
+  /// \name Levels of the last detection
+  /// @{
+  const std::vector<double>& sigma_levels() const { return m_sigma; } ///< length
+  const std::vector<double>& tau_levels() const { return m_tau; }     ///< seconds
+  /// @}
+
+private:
+  const internal::Flat_animation<FT>& animation() const { return m_access->flat_animation(); }
+
+  template <class Visitor>
+  static internal::Task_loop<ConcurrencyTag, Visitor> loop(Visitor& visitor, Stage stage)
+  {
+    return internal::Task_loop<ConcurrencyTag, Visitor>(visitor, stage);
+  }
+
+  void check_selection() const
+  {
+    const Feature_selection& s = m_options.selection;
+    if (!(s.relative_threshold >= 0 && s.relative_threshold <= 1))
+      throw Option_error("the relative threshold must be between 0 and 1");
+    if (!(s.absolute_threshold >= 0)) throw Option_error("the absolute threshold must not be negative");
+  }
+
+  static void check_finite(const Field& field)
+  {
+    for (std::size_t v = 0; v < field.number_of_rows(); ++v)
+      for (std::size_t f = 0; f < field.number_of_frames(); ++f)
+        if (!std::isfinite(field(v, f)))
+          throw Input_error("frame " + std::to_string(f) + ": the field is not finite at vertex " + std::to_string(v));
+  }
+
+  template <class Visitor>
+  void find_minima(Visitor& visitor)
+  {
+    const Field& field = deformation(visitor);
+    const Rest_shape& shape = animation().rest;
+    const std::size_t frames = animation().number_of_frames();
+    const double clock = animation().frame_duration;
+    const Scale_levels levels =
+        m_options.sampling(shape, frames, clock, m_options.spatial_filter, m_options.temporal_filter);
+    m_options.spatial_filter.initialize(shape, levels.space_variances, loop(visitor, Stage::SCALE_SPACE));
+    m_options.temporal_filter.initialize(frames, clock, levels.time_variances);
+    m_sigma.clear();
+    m_tau.clear();
+    for (std::size_t k = 0; k < levels.space_variances.size(); ++k)
+      m_sigma.push_back(levels.sigma_factor * std::sqrt(m_options.spatial_filter.variance(k)));
+    for (std::size_t l = 0; l < levels.time_variances.size(); ++l)
+      m_tau.push_back(levels.tau_factor * std::sqrt(m_options.temporal_filter.variance(l)));
+    m_options.response.initialize(m_sigma, m_tau, levels);
+
+    internal::Scale_space_engine<FT, typename Options::TemporalFilter, typename Options::SpaceTimeResponse,
+                                 typename Options::ExtremumSearch>
+        engine(shape, frames, m_sigma.size(), m_tau.size(), m_options.temporal_filter, m_options.response,
+               m_options.search);
+    const std::vector<internal::Extremum> extrema =
+        engine.template run<ConcurrencyTag>(field, m_options.spatial_filter, visitor);
+
+    std::vector<Feature> minima;
+    minima.reserve(extrema.size());
+    for (const internal::Extremum& e : extrema) minima.push_back(feature(e, levels));
+    std::sort(minima.begin(), minima.end(), [](const Feature& a, const Feature& b) {
+      return std::tie(a.response, a.vertex_index, a.time, a.sigma, a.tau) <
+             std::tie(b.response, b.vertex_index, b.time, b.sigma, b.tau);
+    });
+    m_minima = std::move(minima);
+  }
+
+  Feature feature(const internal::Extremum& e, const Scale_levels& levels) const
+  {
+    typedef typename Options::SpaceTimeResponse Response;
+    const Rest_shape& shape = animation().rest;
+    Feature result;
+    result.vertex_index = e.vertex;
+    result.vertex = m_access->vertex_descriptors()[e.vertex];
+    result.frame = e.frame;
+    const internal::Refined_scales scales = internal::refine_scales(e);
+    const auto sigma = [&](std::size_t k) {
+      return levels.sigma_factor * std::sqrt(m_options.spatial_filter.variance(k, e.vertex));
+    };
+    result.sigma = internal::interpolated_scale(sigma(e.k - 1), sigma(e.k), sigma(e.k + 1), scales.space_level);
+    result.tau = internal::interpolated_scale(m_tau[e.l - 1], m_tau[e.l], m_tau[e.l + 1], scales.time_level);
+    result.time = (double(e.frame) + scales.frame) * animation().frame_duration;
+    result.response = scales.response;
+    const auto outermost = [](std::size_t i, std::size_t size) {
+      return i == Response::below + 1 || i + Response::above + 2 == size;
+    };
+    result.at_scale_limit = outermost(e.k, m_sigma.size()) || outermost(e.l, m_tau.size());
+
+    const internal::Refined_place place = internal::refine_place(shape, e);
+    result.triangle = place.triangle;
+    result.barycentric_coordinates = place.barycentric;
+    const std::size_t before = std::size_t(double(e.frame) + scales.frame); // an extremum is not in the last frame
+    const double behind_weight = double(e.frame) + scales.frame - double(before);
+    Rest_shape::Point rest = Rest_shape::Point::Zero(), now = rest;
+    for (int i = 0; i < 3; ++i) {
+      const std::size_t v = place.triangle[i];
+      rest += place.barycentric[i] * shape.points()[v];
+      now += place.barycentric[i] * ((1 - behind_weight) * animation().point(v, before) +
+                                     behind_weight * animation().point(v, before + 1));
+    }
+    for (int i = 0; i < 3; ++i) {
+      result.rest_position[i] = rest[i];
+      result.position[i] = now[i];
+    }
+    return result;
+  }
+
+  std::vector<Feature> select() const
+  {
+    const Feature_selection& s = m_options.selection;
+    std::vector<Feature> selected;
+    if (m_minima->empty()) return selected;
+    const double least = (std::max)(s.absolute_threshold, s.relative_threshold * m_minima->front().strength());
+    for (const Feature& f : *m_minima) {
+      if (f.strength() < least) break;
+      if (s.accept_border_vertices || !animation().rest.is_border(f.vertex_index)) selected.push_back(f);
+    }
+    return s.suppress_non_maxima ? internal::suppress_non_maxima(animation().rest, selected) : selected;
+  }
+
+  Access m_access;
+  Options m_options;
+  Default_visitor m_default_visitor;
+  std::optional<Compressed_rows> m_balls;
+  std::optional<Field> m_strain, m_curvature_change, m_deformation;
+  std::optional<std::vector<Feature>> m_minima; // strongest first
+  std::vector<double> m_sigma, m_tau;
+};
+
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_FEATURE_DETECTOR_H
