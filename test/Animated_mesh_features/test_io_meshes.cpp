@@ -96,6 +96,8 @@ void test_obj()
   check_error("a.obj", "v 1 2 3\nv 1 2", ":2: the file ends where a coordinate should follow");
   check_error("a.obj", "v 1 2 3\nv 1,5 2 3\n", ":2: \"1,5\" is not a number");
   check_error("a.obj", "v 1 2 3\nv 1 x\x07y 3\n", ":2: \"x?y\" is not a number");
+  check_error("a.obj", "v 1 \\\n2 3\nv 1 x 2\n", ":3: \"x\" is not a number");
+  check_error("a.obj", "g a\\\nb\nv 1 x 2\n", ":3: \"x\" is not a number");
   check_error("a.obj", "v 1 2 +-3\n", ":1: \"+-3\" is not a number");
   check_error("a.obj", v + "f 1 2 3.5\n", ":4: \"3.5\" is not a whole number");
   check_error("a.obj", v + "f 1 2 99999999999999999999\n", ":4: \"99999999999999999999\" is not a whole number");
