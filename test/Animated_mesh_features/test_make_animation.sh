@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Animated_mesh_features authors.
+#
+# This file is part of the package Animated_mesh_features for CGAL.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# The command line of make_animation: what it writes, and how it fails.
+# MAKE_ANIMATION is the program; without it the test is skipped (77).
+
+set -u
+program="${MAKE_ANIMATION:-}"
+if [[ -z "$program" ]]; then
+  echo "MAKE_ANIMATION is not set"
+  exit 77
+fi
+
+folder="$(mktemp -d)"
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failed=0
+
+fail() {
+  echo "failed: $*"
+  failed=1
+}
+
+# expect <exit code> <part of the message> <arguments...>
+expect() {
+  local code="$1" message="$2"
+  shift 2
+  "$program" "$@" >out 2>err
+  local got=$?
+  [[ $got -eq $code ]] || fail "$*: exit code $got, not $code"
+  grep -qF -- "$message" out err || fail "$*: no message \"$message\""
+}
+
+# A 32-bit little-endian integer, or a float as its bits, from place $2 of file $1.
+word() { od -An -v -t x1 -j "$2" -N 4 "$1" | awk '{ print $4 $3 $2 $1 }'; }
+
+# check_files <base> <frames>
+check_files() {
+  local vertices size expected
+  vertices="$(grep -c '^v ' "$1.obj")"
+  [[ "$(head -c 11 "$1.pc2")" == POINTCACHE2 ]] || fail "$1.pc2: no signature"
+  [[ "$(word "$1.pc2" 12)" == 00000001 ]] || fail "$1.pc2: version"
+  [[ "$((16#$(word "$1.pc2" 16)))" -eq $vertices ]] || fail "$1.pc2: number of points"
+  [[ "$(word "$1.pc2" 20)" == 00000000 ]] || fail "$1.pc2: first frame is not 0"
+  [[ "$(word "$1.pc2" 24)" == 3f800000 ]] || fail "$1.pc2: sample rate is not 1"
+  [[ "$((16#$(word "$1.pc2" 28)))" -eq $2 ]] || fail "$1.pc2: number of frames is not $2"
+  size="$(wc -c <"$1.pc2")"
+  expected=$((32 + 12 * vertices * $2))
+  [[ $size -eq $expected ]] || fail "$1.pc2: $size bytes, not $expected"
+}
+
+expect 0 "48 frames, 30 in a second" figure --vertices 2000 -o figure
+check_files figure 48
+expect 0 "48 frames" figure --vertices 2000 -o again
+cmp -s figure.obj again.obj && cmp -s figure.pc2 again.pc2 || fail "a second run writes something else"
+
+expect 0 "60 frames" cylinder -o cylinder
+check_files cylinder 60
+[[ "$(grep -c '^v ' cylinder.obj)" -eq 4394 ]] || fail "the cylinder has another default number of vertices"
+# Twice the frames in the same time: every other one as before.
+expect 0 "120 frames, 60 in a second" cylinder --fps 60 -o faster
+check_files faster 120
+frame=$((12 * 4394))
+cmp -s <(tail -c +33 cylinder.pc2 | tail -c +$((15 * frame + 1)) | head -c $frame) \
+  <(tail -c +33 faster.pc2 | tail -c +$((30 * frame + 1)) | head -c $frame) || fail "another motion at 60 frames a second"
+expect 0 "7 frames" cylinder --frames 7 --vertices 500 --output short
+check_files short 7
+expect 0 "Exit codes" --help
+
+expect 2 "say what to make"
+expect 2 "dog" dog -o x
+expect 2 "-o BASE" figure
+expect 2 "--vertices" figure -o x --vertices -5
+expect 2 "1000" figure -o x --vertices 999
+expect 2 "--frames" cylinder -o x --frames 0
+expect 2 "--fps" cylinder -o x --fps nan
+expect 2 "--fps" cylinder -o x --fps -30
+expect 2 "million" cylinder -o x --fps 1e9
+expect 2 "--frame" cylinder -o x --frame 5
+expect 2 "positional" cylinder figure -o x
+[[ ! -e x.obj && ! -e x.pc2 ]] || fail "files after a bad command line"
+
+expect 4 "cannot write" cylinder --vertices 500 -o nowhere/x
+# The second file cannot be written: the first one is left as it was.
+echo old >half.obj
+mkdir half.pc2
+expect 4 "half.pc2" cylinder --vertices 500 -o half
+[[ "$(cat half.obj)" == old ]] || fail "half an animation was written"
+[[ -z "$(find . -name '*.tmp')" ]] || fail "temporary files are left"
+
+[[ $failed -eq 0 ]] && echo "make_animation: all as expected"
+exit $failed
