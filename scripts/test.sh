@@ -67,7 +67,7 @@ stage_clang()
     return 77
   fi
   configure build/clang -DCMAKE_CXX_COMPILER=clang++ -DANIMATED_MESH_FEATURES_WERROR=ON \
-    -DCMAKE_EXPORT_COMPILE_COMMANDS=ON &&
+    -DANIMATED_MESH_FEATURES_CHECK_HEADERS=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON &&
     python3 scripts/compile_only.py build/clang "$(job_count)" -DNDEBUG
 }
 
