@@ -27,6 +27,17 @@
 namespace CGAL {
 namespace Animated_mesh_features {
 
+namespace internal {
+
+// Within `Rest_shape`, whose own edges() hides the graph's, and without a namespace, as that of the graph may be another.
+template <class TriangleMesh>
+auto edges_of(const TriangleMesh& mesh)
+{
+  return edges(mesh);
+}
+
+} // namespace internal
+
 /*!
 \ingroup PkgAnimatedMeshFeaturesRef
 
@@ -128,7 +139,7 @@ private:
   template <class TriangleMesh, class VertexIndexMap>
   void read_edges(const TriangleMesh& mesh, VertexIndexMap index)
   {
-    for (auto e : CGAL::edges(mesh)) {
+    for (auto e : internal::edges_of(mesh)) {
       auto h = halfedge(e, mesh);
       auto o = opposite(h, mesh);
       if (CGAL::is_border(h, mesh) && CGAL::is_border(o, mesh)) continue; // an edge that no face uses
