@@ -203,10 +203,11 @@ void test_bending_tube()
   const Shape s = tube(24, 25, length);
   std::vector<Points> frames;
   const int n = 24;
-  for (int f = 0; f < n; ++f)
-    frames.push_back(mapped(s.points, [&](const Vec& p) {
-      return bent(p, pi / 2 / length * std::sin(2 * pi * (f + 0.5) / n)); // by up to 90 degrees to either side
-    }));
+  for (int f = 0; f < n; ++f) {
+    // to either side by 60 to 90 degrees: no frame is near to the middle
+    const double angle = (f % 2 == 0 ? 1 : -1) * pi / 6 * (2 + double(f / 2) / (n / 2 - 1));
+    frames.push_back(mapped(s.points, [&](const Vec& p) { return bent(p, angle / length); }));
+  }
   const Points result = canonical(mesh_of(s), frames), mean = plain_mean(frames);
   const double error = difference(result, s.points) / length;
   // chords of a bent edge are shorter by (curvature * edge)^2 / 24, and angles across the bend do not average exactly
@@ -277,14 +278,18 @@ void test_pulsating_sphere()
   double mean = 0;
   const int n = 7;
   for (int f = 0; f < n; ++f) {
-    const double radius = 2 + std::sin(1.3 * f);
+    const double radius = 2 + std::sin(1.3 * f + 1);
     mean += radius / n;
     frames.push_back(mapped(s.points, [&](const Vec& p) {
       return Vec(Eigen::AngleAxisd(0.9 * f, Vec(1, 1, 0).normalized()) * (radius * p) + Vec(10, 0, 0));
     }));
   }
   const Points result = canonical(mesh_of(s), frames);
-  for (const Vec& p : result) CHECK_NEAR((p - Vec(10, 0, 0)).norm(), mean, 1e-9);
+  // turned as the first frame, which is not the one closest to the mean
+  const double ratio = mean / (frames[0][0] - Vec(10, 0, 0)).norm();
+  CHECK(ratio < 0.8);
+  for (std::size_t i = 0; i < result.size(); ++i)
+    CHECK((result[i] - Vec(10, 0, 0) - ratio * (frames[0][i] - Vec(10, 0, 0))).norm() < 1e-9);
   CHECK_NEAR(volume(result, s.faces), std::pow(mean, 3) * volume(s.points, s.faces), 1e-7);
 }
 
@@ -323,7 +328,7 @@ void test_generic_deformation()
   double closest_frame = 1;
   for (const Points& points : frames) closest_frame = (std::min)(closest_frame, rms_of_lengths(points, mesh, frames));
   const double mean = rms_of_lengths(plain_mean(frames), mesh, frames);
-  CHECK(rms < 0.02);
+  CHECK(rms < 0.003);
   CHECK(rms < closest_frame / 4);
   CHECK(mean > 0.3);
   CHECK(volume(result, s.faces) > 0);

@@ -14,6 +14,7 @@
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
 
+#include <array>
 #include <vector>
 
 namespace CGAL {
