@@ -31,7 +31,7 @@ build_and_run()
 }
 
 # ---------------------------------------------------------------------------------------------------------- the stages
-# Each returns 0, or 77 after `why` was set: it could not run here.
+# Each returns 0, or 77 after `why` was set, if it could not run here; anything else is a failure.
 
 stage_gcc()
 {
@@ -39,24 +39,50 @@ stage_gcc()
     build_and_run build/gcc
 }
 
-# clang++, because it takes two thirds of g++'s time for the same checks.
+# find_compiler SANITIZERS: sets `compiler` to one that has them. clang++ first, because it takes two thirds of g++'s time
+# for the same checks.
+find_compiler()
+{
+  for compiler in clang++ g++; do
+    if echo 'int main() {}' | "$compiler" "-fsanitize=$1" -x c++ -o build/sanitizer_probe - 2> /dev/null &&
+       build/sanitizer_probe; then
+      echo "compiler: $compiler"
+      return 0
+    fi
+  done
+  why="neither clang++ nor g++ has the libraries of these sanitizers here"
+  return 77
+}
+
 stage_sanitizers()
 {
   local compiler
-  for compiler in clang++ g++; do
-    if echo 'int main() {}' | "$compiler" -fsanitize=address,undefined -x c++ -o build/sanitizer_probe - 2> /dev/null &&
-       build/sanitizer_probe; then
-      echo "compiler: $compiler"
-      # CGAL's headers give g++ false alarms when it instruments them, thus no errors from its warnings
-      configure build/sanitizers -DCMAKE_CXX_COMPILER=$compiler \
-        -DANIMATED_MESH_FEATURES_SANITIZE=address,undefined \
-        -DANIMATED_MESH_FEATURES_WERROR="$([ $compiler = clang++ ] && echo ON || echo OFF)" &&
-        build_and_run build/sanitizers
-      return
-    fi
-  done
-  why="neither clang++ nor g++ has the sanitizers' libraries here"
-  return 77
+  find_compiler address,undefined || return
+  # CGAL's headers give g++ false alarms when it instruments them, thus no errors from its warnings
+  configure build/sanitizers -DCMAKE_CXX_COMPILER=$compiler \
+    -DANIMATED_MESH_FEATURES_SANITIZE=address,undefined \
+    -DANIMATED_MESH_FEATURES_WERROR="$([ $compiler = clang++ ] && echo ON || echo OFF)" &&
+    build_and_run build/sanitizers
+}
+
+# Only those tests that run anything in parallel.
+stage_threads()
+{
+  local compiler tests
+  mapfile -t tests < <(cd test/Animated_mesh_features && grep -l Parallel_tag test_*.cpp | sed 's/[.]cpp$//')
+  if [ ${#tests[@]} -eq 0 ]; then
+    echo "no test runs in parallel" >&2
+    return 1
+  fi
+  find_compiler thread || return
+  configure build/threads -DCMAKE_CXX_COMPILER=$compiler -DANIMATED_MESH_FEATURES_SANITIZE=thread || return 1
+  if ! grep -q 'Animated_mesh_features .*, oneTBB' build/threads/configure.log; then
+    why="oneTBB is not here"
+    return 77
+  fi
+  cmake --build build/threads --parallel "$(job_count)" --target "${tests[@]}" &&
+    ctest --test-dir build/threads --output-on-failure --no-tests=error \
+      --tests-regex "^($(IFS='|' && echo "${tests[*]}"))\$"
 }
 
 # With NDEBUG, as a user's release build has it, and each header on its own.
@@ -154,6 +180,7 @@ if ! $quick; then
   stage "2, address and undefined-behaviour sanitizers: build and run" stage_sanitizers
   stage "3, clang++, NDEBUG, every header alone: compile" stage_clang
   stage "4, CGAL 6: compile" stage_cgal6
+  stage "5, thread sanitizer: build and run what is parallel" stage_threads
 fi
 
 say "Summary"

@@ -10,11 +10,11 @@
 #include <iostream>
 
 #ifndef CGAL_EIGEN3_ENABLED
-#error "CGAL is not told of Eigen"
+  #error "CGAL is not told of Eigen"
 #endif
 
 #ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
+  #include <tbb/parallel_for.h>
 #endif
 
 // in the other translation unit: a header with a function that is not inline would not link
