@@ -48,9 +48,9 @@ size); surfaces that are the same but for a bend to either side give the straigh
 
 \throw Numerical_error if a factorisation fails, as with coordinates whose squares overflow.
 
-Complexity: `O(F N)` for the averages, two sparse Cholesky factorisations of size 3 x faces and N (`O(N log N)` entries),
-and some 50 to 200 rounds of `O(N log N)`. About 1.5 s for 8,400 vertices and 48 frames, 7 s for 33,700; 35 s and 0.9 GB
-for 100,000 and 10 frames.
+Complexity: `O(F N)` for the averages, two sparse Cholesky factorisations, of size 3 x faces and of size N, with
+`O(N log N)` entries, and some 50 to 200 rounds of `O(N log N)`.
+About 1.5 s for 8,400 vertices and 48 frames, 7 s for 33,700; 35 s and 0.9 GB for 100,000 and 10 frames.
 */
 template <class FT>
 std::vector<Rest_shape::Point> canonical_shape(const internal::Flat_animation<FT>& animation)

@@ -28,9 +28,9 @@ namespace internal {
 // A frame R of a triangle takes its plane into space: columns 0 and 1 span it, column 2 is the normal. At an edge with
 // angle theta, whose directions in the two planes are a_l and a_r,
 //   R_right = R_left Rz(a_l) Rx(theta) Rz(-a_r),
-// since both Rz(a) bring the first axis to the edge; the transition matrices of Y. Wang, B. Liu, Y. Tong, Linear surface
-// reconstruction from discrete fundamental forms on triangle meshes, Computer Graphics Forum 31(8), 2012; for frames at
-// vertices Y. Lipman et al., Linear rotation-invariant coordinates for meshes, ACM Trans. Graph. 24(3), 2005.
+// since both Rz(a) bring the first axis to the edge; the transition matrices of Y. Wang, B. Liu, Y. Tong, Linear
+// surface reconstruction from discrete fundamental forms on triangle meshes, Computer Graphics Forum 31(8), 2012; for
+// frames at vertices Y. Lipman et al., Linear rotation-invariant coordinates for meshes, ACM Trans. Graph. 24(3), 2005.
 struct Surface_plan
 {
   struct Triangle

@@ -27,13 +27,13 @@ inline Eigen::Matrix3d nearest_rotation_svd(const Eigen::Matrix3d& m)
   return u * svd.matrixV().transpose();
 }
 
-// The same, some ten times faster where `m` is far from singular: Newton's iteration for the polar factor, N. J. Higham,
-// Computing the polar decomposition, SIAM J. Sci. Stat. Comput. 7(4), 1986, eq. (3.1).
+// The same, but faster where `m` is far from singular: Newton's iteration for the polar factor, N. J. Higham, Computing
+// the polar decomposition, SIAM J. Sci. Stat. Comput. 7(4), 1986, eq. (3.1).
 inline Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& m)
 {
   // det / norm^3 is 3^(-3/2) = 0.19 for a rotation; below a thousandth of that Newton's iteration would be slow.
   const double far_from_singular = 2e-4;
-  const int most_steps = 20; // some 6 are enough
+  const int most_steps = 20; // a handful is enough
   const double norm = m.norm();
   if (!(m.determinant() > far_from_singular * norm * norm * norm)) return nearest_rotation_svd(m);
   Eigen::Matrix3d q = m * (std::sqrt(3.) / norm);
