@@ -1,8 +1,5 @@
 # How the command-line programs, the examples and the tests of this package are compiled.
 
-# An optional library of single tests.
-find_package(OpenMesh CONFIG QUIET)
-
 function(animated_mesh_features_set_up target)
   target_link_libraries(${target} PRIVATE Animated_mesh_features::Animated_mesh_features)
   # The generators of test animations are shared by programs, examples and tests.
@@ -31,8 +28,8 @@ function(animated_mesh_features_set_up target)
   endif()
 endfunction()
 
-function(animated_mesh_features_add_executable target source)
-  add_executable(${target} ${source})
+function(animated_mesh_features_add_executable target)
+  add_executable(${target} ${ARGN})
   animated_mesh_features_set_up(${target})
 endfunction()
 
