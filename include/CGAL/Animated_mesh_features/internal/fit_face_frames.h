@@ -39,10 +39,11 @@ inline Eigen::Matrix3d face_frame(const Surface_plan::Triangle& triangle, const 
 //   sum over joints w |R_right - R_left T|^2,
 // the first of the two linear systems of Y. Wang, B. Liu, Y. Tong, Linear surface reconstruction from discrete
 // fundamental forms on triangle meshes, Computer Graphics Forum 31(8), 2012. It is linear as long as the R may be any
-// matrices, and determines them up to one rotation of the whole. Instead of holding one triangle, from which the size of the
-// matrices would fade wherever the angles disagree, a few steps of inverse iteration with a small shift look for the smallest eigenspace,
-// with the frames made rotations in between; A. Singer, Angular synchronization by eigenvectors and semidefinite
-// programming, Appl. Comput. Harmon. Anal. 30(1), 2011. The shift also keeps parts that no joint connects.
+// matrices, and determines them up to one rotation of the whole. Instead of holding one triangle, from which the size
+// of the matrices would fade wherever the angles disagree, a few steps of inverse iteration with a small shift look
+// for the smallest eigenspace, with the frames made rotations in between; A. Singer, Angular synchronization by
+// eigenvectors and semidefinite programming, Appl. Comput. Harmon. Anal. 30(1), 2011. The shift also keeps parts that
+// no joint connects.
 //
 // Complexity: a sparse factorisation of size 3 T, for T triangles O(T log T) entries.
 // Throws Numerical_error if it fails.
