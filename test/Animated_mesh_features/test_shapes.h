@@ -41,7 +41,9 @@ typedef CGAL::Surface_mesh<Point_3> Mesh;
 class Random
 {
 public:
-  explicit Random(std::uint64_t seed) : m_state(seed) {}
+  explicit Random(std::uint64_t seed)
+    : m_state(seed)
+  {}
 
   std::uint32_t bits()
   {

@@ -62,15 +62,15 @@ void test_known_deformations()
   const double gamma = 0.7;
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Vec(1, 2, -1).normalized()).toRotationMatrix();
   const std::vector<Eigen::Matrix3d> maps = {
-      Eigen::Matrix3d::Identity(), // 0
-      turn,                        // 1
-      in_plane(2, 0, 0, 1),        // 2: stretch
-      in_plane(0.5, 0, 0, 1),      // 3: compression
+      Eigen::Matrix3d::Identity(),                                                           // 0
+      turn,                                                                                  // 1
+      in_plane(2, 0, 0, 1),                                                                  // 2: stretch
+      in_plane(0.5, 0, 0, 1),                                                                // 3: compression
       turn * in_plane(1, 0, 0, 2) * Eigen::AngleAxisd(0.3, Vec::UnitZ()).toRotationMatrix(), // 4: stretch, turned
-      in_plane(2, 0, 0, 2),     // 5: both ways
-      in_plane(1, gamma, 0, 1), // 6: simple shear
-      in_plane(-1, 0, 0, 1),    // 7: reflected in the plane, as a triangle can be by turning it over in space
-      in_plane(2, 0, 0, 0.5)};  // 8: pure shear
+      in_plane(2, 0, 0, 2),                                                                  // 5: both ways
+      in_plane(1, gamma, 0, 1),                                                              // 6: simple shear
+      in_plane(-1, 0, 0, 1),   // 7: reflected in the plane, as a triangle can be by turning it over in space
+      in_plane(2, 0, 0, 0.5)}; // 8: pure shear
   // C of the simple shear is [1 g; g 1 + g^2]; sqrt(lambda) = sqrt(1 + g^2/4) +- g/2, and their product is 1
   const double stretch = std::sqrt(1 + gamma * gamma / 4) + gamma / 2;
   const double l1 = stretch * stretch, l2 = 1 / l1;
@@ -216,9 +216,9 @@ void test_collapse_in_a_frame()
   const Shape s = {{Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1, 0)}, {{{0, 1, 2}}}};
   const std::vector<Points> frames = {
       s.points,
-      Points(3, Vec(5, 6, 7)),                            // to a point
-      {Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 0, 0)},         // to a segment: the second direction is lost
-      {Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1e-9, 0)}};     // nearly so: below the clamp of 1e-6 in length
+      Points(3, Vec(5, 6, 7)),                        // to a point
+      {Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 0, 0)},     // to a segment: the second direction is lost
+      {Vec(0, 0, 0), Vec(1, 0, 0), Vec(0, 1e-9, 0)}}; // nearly so: below the clamp of 1e-6 in length
   const Mesh mesh = mesh_of(s);
   const double lost = std::log(1e12); // -ln of the smallest squared stretch
   const auto check = [&](auto ft, double tolerance) {
@@ -373,7 +373,8 @@ void test_float()
   double worst = 0;
   for (std::size_t v = 0; v < exact.number_of_rows(); ++v)
     for (std::size_t f = 0; f < w.frames.size(); ++f)
-      if (!(std::abs(exact(v, f) - double(rounded(v, f))) <= worst)) worst = std::abs(exact(v, f) - double(rounded(v, f)));
+      if (!(std::abs(exact(v, f) - double(rounded(v, f))) <= worst))
+        worst = std::abs(exact(v, f) - double(rounded(v, f)));
   // coordinates of 4 are rounded by 2.4e-7, edges are about 0.1 long, heights half of that
   CHECK(worst > 0);
   CHECK(worst < 3e-6);

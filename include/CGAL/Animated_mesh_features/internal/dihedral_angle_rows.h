@@ -19,9 +19,8 @@ namespace internal {
 
 // 2 atan(y / (r + x)) with r = |(x, y)|, which is atan2(y, x): odd in y, exactly 0 for y = 0. No branches, so that it runs in
 // vector registers. Three half-angle steps, atan(t) = 2 atan(t / (1 + sqrt(1 + t^2))), bring the tangent below
-// tan(pi/16), where the power series needs as many terms as half of the digits. The error is that of the scalar type,
-// but grows to its square root within that distance of a completely folded edge (angle pi), where it is an angle that
-// no longer has a sign.
+// tan(pi/16), where the power series needs as many terms as half of the digits. The error is that of the scalar type over
+// the distance from an edge that is folded completely (angle pi); there the angle no longer has a sign, and is 0.
 template <class Array>
 Array signed_angle(const Array& y, const Array& x)
 {
