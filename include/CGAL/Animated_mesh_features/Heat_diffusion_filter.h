@@ -105,7 +105,7 @@ private:
     m_mass.assign(n, 0);
     std::vector<Entry> entries;
     entries.reserve(12 * shape.triangles().size());
-    for (std::size_t t = 0; t < shape.triangles().size(); ++t) {
+    for (Rest_shape::Index t : shape.ordered_triangles()) {
       if (is_degenerate(shape, t)) continue;
       const Rest_shape::Triangle& corner = shape.triangles()[t];
       for (int i = 0; i < 3; ++i) {

@@ -13,12 +13,11 @@
 #include <CGAL/Animated_mesh_features/internal/Heat_patch.h>
 #include <CGAL/Animated_mesh_features/internal/Thread_local.h>
 
-#include <boost/range/irange.hpp>
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -90,7 +89,10 @@ struct Heat_method_geodesic_balls
       std::vector<Rest_shape::Index> triangles;
       for (Rest_shape::Index v : dijkstra.run(all[c], patch_reach * radius))
         triangles.insert(triangles.end(), shape.incident_triangles()[v].begin(), shape.incident_triangles()[v].end());
-      std::sort(triangles.begin(), triangles.end());
+      // by their vertices, as the order shows in the patch's sums
+      std::sort(triangles.begin(), triangles.end(), [&](Rest_shape::Index s, Rest_shape::Index t) {
+        return std::tie(shape.triangles()[s], s) < std::tie(shape.triangles()[t], t);
+      });
       triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
       internal::Heat_patch patch(shape, triangles);
       for (Rest_shape::Index v : all[c])
@@ -143,7 +145,7 @@ struct Global_heat_method_geodesic_balls
     {
       explicit Workspace(const Rest_shape& shape)
         : dijkstra(shape)
-        , patch(shape, boost::irange<std::size_t>(0, shape.triangles().size()))
+        , patch(shape, shape.ordered_triangles())
       {
       }
       internal::Bounded_dijkstra dijkstra;

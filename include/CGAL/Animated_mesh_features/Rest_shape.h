@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -34,6 +35,15 @@ template <class TriangleMesh>
 auto edges_of(const TriangleMesh& mesh)
 {
   return edges(mesh);
+}
+
+// Not degree(), which Seam_mesh does not have for faces.
+template <class Halfedge, class TriangleMesh>
+std::size_t number_of_sides(const Halfedge& h, const TriangleMesh& mesh)
+{
+  std::size_t n = 1;
+  for (Halfedge g = next(h, mesh); g != h; g = next(g, mesh)) ++n;
+  return n;
 }
 
 } // namespace internal
@@ -85,6 +95,10 @@ public:
   /// @{
   std::size_t number_of_vertices() const { return m_points.size(); }
   const std::vector<Triangle>& triangles() const { return m_triangles; }
+
+  /// the indices of all triangles in an order that depends on the indices of their vertices only. A sum over triangles
+  /// that runs in this order gives the same bits, whatever the order of `faces(mesh)`.
+  const std::vector<Index>& ordered_triangles() const { return m_ordered_triangles; }
   const std::vector<Edge>& edges() const { return m_edges; }
 
   /// the vertices that share an edge with each vertex, ascending.
@@ -125,8 +139,9 @@ private:
   {
     for (auto f : faces(mesh)) {
       const auto h = halfedge(f, mesh);
-      if (!is_triangle(h, mesh))
-        throw Input_error("face " + std::to_string(m_triangles.size()) + " has " + std::to_string(degree(f, mesh)) +
+      const std::size_t sides = internal::number_of_sides(h, mesh);
+      if (sides != 3)
+        throw Input_error("face " + std::to_string(m_triangles.size()) + " has " + std::to_string(sides) +
                           " vertices, not 3; triangulate the mesh first");
       Triangle t = {{Index(get(index, source(h, mesh))), Index(get(index, target(h, mesh))),
                      Index(get(index, target(next(h, mesh), mesh)))}};
@@ -176,11 +191,14 @@ private:
       for (const auto& ne : edges_at[v]) row.push_back(ne.second);
       m_incident_edges.push_back(row.begin(), row.end());
     }
+    const auto by_vertices = [this](Index a, Index b) { return m_triangles[a] < m_triangles[b]; };
+    m_ordered_triangles.resize(m_triangles.size());
+    std::iota(m_ordered_triangles.begin(), m_ordered_triangles.end(), Index(0));
+    std::sort(m_ordered_triangles.begin(), m_ordered_triangles.end(), by_vertices);
     std::vector<std::vector<Index>> triangles_at(n);
     for (std::size_t t = 0; t < m_triangles.size(); ++t)
       for (Index v : m_triangles[t]) triangles_at[v].push_back(Index(t));
-    for (std::vector<Index>& r : triangles_at)
-      std::sort(r.begin(), r.end(), [this](Index a, Index b) { return m_triangles[a] < m_triangles[b]; });
+    for (std::vector<Index>& r : triangles_at) std::sort(r.begin(), r.end(), by_vertices);
     m_incident_triangles = Compressed_rows(std::move(triangles_at));
   }
 
@@ -205,6 +223,7 @@ private:
   }
 
   std::vector<Triangle> m_triangles;
+  std::vector<Index> m_ordered_triangles;
   std::vector<Edge> m_edges;
   Compressed_rows m_neighbours, m_incident_triangles, m_incident_edges;
   std::vector<char> m_is_border;
