@@ -40,7 +40,8 @@ struct Feature_selection
   /// the least strength, absolute. The stricter of the two thresholds decides.
   double absolute_threshold = 0;
 
-  /// whether to drop what lies within max(sigma) on the surface and max(tau) in time of a stronger feature.
+  /// whether to drop what lies within max(sigma) on the surface and max(tau) in time of a stronger feature, if sigma and tau
+  /// of the two are each within a factor of 1.5.
   bool suppress_non_maxima = true;
 
   /// whether features may lie on the border of the mesh, where the smoothing knows only one side.
@@ -198,6 +199,7 @@ suppression. Lengths in Eq. (7) need a unit, see `Every_smoothing_count`.
 inline Published_options published_options(std::size_t box_width)
 {
   Published_options options;
+  options.sampling.box_width = box_width;
   options.spatial_filter = One_ring_average_filter(false);
   options.temporal_filter = Box_temporal_filter(box_width);
   options.triangle_weights = Triangle_weights::UNIFORM;

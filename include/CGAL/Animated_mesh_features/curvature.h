@@ -25,13 +25,15 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesBalls
 
-the default radius of the geodesic balls (length): 2.5 % of the bounding-box diagonal of the rest shape, the size of a
-wrinkle, but at least 3 mean edge lengths, below which balls contain too few edges (at 1 edge length, 8 % of the balls
-of a scanned horse contain none).
+the default radius of the geodesic balls (length): 4 % of the bounding-box diagonal of the rest shape, but at least 3 mean edge
+lengths, below which balls contain too few edges (at 1 edge length, 8 % of the balls of a scanned horse contain none).
+
+With smaller balls curvature depends on the mesh: between a horse of 8,431 and its decimation to 4,200 vertices, for both of
+which 4 % are above 3 edge lengths, the share of the strongest features that are found again rises by a tenth from 2.5 % on.
 */
 inline double default_ball_radius(const Rest_shape& shape)
 {
-  return (std::max)(0.025 * shape.bounding_box_diagonal(), 3 * shape.mean_edge_length());
+  return (std::max)(0.04 * shape.bounding_box_diagonal(), 3 * shape.mean_edge_length());
 }
 
 /*!

@@ -20,8 +20,17 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// Of features sorted by strength, strongest first, keeps those that are not within max(sigma) on the surface and max(tau) in
-// time of a stronger one that is kept. Distances on the surface are along edges.
+// Scales that differ by more than this factor are different events, even in the same place: the flexing of a knee and the
+// swing of the leg. Dropping the weaker one of such a pair makes the outcome depend on which of them is stronger by a hair.
+constexpr double like_scales = 1.5;
+
+inline bool are_alike(double scale_1, double scale_2)
+{
+  return scale_1 <= like_scales * scale_2 && scale_2 <= like_scales * scale_1;
+}
+
+// Of features sorted by strength, strongest first, drops those of which a stronger one that is kept is within max(sigma) on the
+// surface and max(tau) in time, at like scales. Distances on the surface are along edges.
 template <class Feature>
 std::vector<Feature> suppress_non_maxima(const Rest_shape& shape, const std::vector<Feature>& features)
 {
@@ -43,7 +52,8 @@ std::vector<Feature> suppress_non_maxima(const Rest_shape& shape, const std::vec
       for (std::size_t j : at_vertex[v]) {
         const Feature& weak = features[j];
         if (j > i && dijkstra.distance(v) <= (std::max)(strong.sigma, weak.sigma) &&
-            std::abs(strong.time - weak.time) <= (std::max)(strong.tau, weak.tau))
+            std::abs(strong.time - weak.time) <= (std::max)(strong.tau, weak.tau) &&
+            are_alike(strong.sigma, weak.sigma) && are_alike(strong.tau, weak.tau))
           dropped[j] = 1;
       }
   }
