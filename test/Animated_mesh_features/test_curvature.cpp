@@ -446,7 +446,7 @@ void test_radius()
   const auto sequence = sequence_of(mesh, w.rest.points, w.frames);
   const Amf::Rest_shape& rest = sequence.rest_shape();
   CHECK_NEAR(Amf::default_ball_radius(rest),
-             (std::max)(0.025 * rest.bounding_box_diagonal(), 3 * rest.mean_edge_length()), 1e-15);
+             (std::max)(0.04 * rest.bounding_box_diagonal(), 3 * rest.mean_edge_length()), 1e-15);
   CHECK_THROWS(Amf::Option_error, dijkstra_balls(sequence, -1), "radius");
   CHECK_THROWS(Amf::Option_error, dijkstra_balls(sequence, std::numeric_limits<double>::quiet_NaN()), "radius");
   CHECK_THROWS(Amf::Option_error, dijkstra_balls(sequence, std::numeric_limits<double>::infinity()), "radius");

@@ -443,7 +443,7 @@ void test_scanned_surface(const std::string& file, const Bounds& bounds)
   for (const auto& p : mesh.points) s.points.emplace_back(p[0], p[1], p[2]);
   for (const auto& t : mesh.triangles) s.faces.push_back({{int(t[0]), int(t[1]), int(t[2])}});
   const Rest_shape shape = rest_shape_of(s);
-  compare(file, shape, Amf::default_ball_radius(shape), bounds, 20, 8, 100);
+  compare(file, shape, 3 * shape.mean_edge_length(), bounds, 20, 8, 100);
 }
 
 int main()
