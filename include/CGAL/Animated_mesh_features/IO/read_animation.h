@@ -11,6 +11,7 @@
 #include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
 #include <CGAL/Animated_mesh_features/IO/Point_cache_reader.h>
+#include <CGAL/Animated_mesh_features/IO/check_same_connectivity.h>
 #include <CGAL/Animated_mesh_features/IO/frame_files_in_folder.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Field_filler.h>
 #include <CGAL/Animated_mesh_features/IO/internal/file_endings.h>
@@ -18,7 +19,6 @@
 #include <CGAL/Animated_mesh_features/IO/read_mesh.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <string>
@@ -77,26 +77,6 @@ void read_point_cache(const std::string& mesh_file, const std::string& cache_fil
   cache.read_frames([&](std::size_t, const float* xyz) { filler.add(xyz, cache_file); });
 }
 
-inline void check_same_connectivity(const Indexed_mesh& first, const std::string& first_file, const Indexed_mesh& mesh,
-                                    const std::string& file)
-{
-  const auto differs = [&](std::size_t n, std::size_t m, const char* what) {
-    if (n != m)
-      throw Input_error(file + ": has " + std::to_string(m) + what + ", but the first frame, " + first_file + ", has " +
-                        std::to_string(n));
-  };
-  differs(first.points.size(), mesh.points.size(), " vertices");
-  differs(first.triangles.size(), mesh.triangles.size(), " triangles");
-  const auto face = std::mismatch(first.triangles.begin(), first.triangles.end(), mesh.triangles.begin());
-  if (face.first == first.triangles.end()) return;
-  const auto text = [](const std::array<std::size_t, 3>& t) {
-    return "(" + std::to_string(t[0]) + ", " + std::to_string(t[1]) + ", " + std::to_string(t[2]) + ")";
-  };
-  throw Input_error(file + ": triangle " + std::to_string(face.first - first.triangles.begin()) + " is " +
-                    text(*face.second) + ", but " + text(*face.first) + " in the first frame, " + first_file +
-                    "; all frames must have the same connectivity");
-}
-
 template <class FT>
 void read_frame_files(const std::vector<std::string>& files, const Mesh_reading_options& options,
                       Animation_file_data<FT>& data)
@@ -110,7 +90,7 @@ void read_frame_files(const std::vector<std::string>& files, const Mesh_reading_
   Indexed_mesh mesh;
   for (std::size_t f = 1; f < files.size(); ++f) {
     read_mesh(files[f], options, content, mesh);
-    check_same_connectivity(data.mesh, files[0], mesh, files[f]);
+    check_same_connectivity(data.mesh, "the first frame, " + files[0], mesh, files[f]);
     filler.add(mesh.points[0].data(), files[f]);
   }
 }

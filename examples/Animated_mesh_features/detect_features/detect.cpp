@@ -1,0 +1,133 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "detect.h"
+
+#include "Chosen_policies.h"
+
+#include <CGAL/Animated_mesh_features/Feature_detector.h>
+
+#include <iterator>
+#include <utility>
+
+namespace Detect_features {
+
+namespace {
+
+typedef AMF::Spatio_temporal_field<FT> Values;
+
+// What the two presets differ in, besides what the command line chooses by name.
+void set_defaults(const Sequence& sequence, const Command_line& c, Detection& result)
+{
+  const AMF::Published_options published =
+      AMF::published_options(AMF::published_box_width(sequence.number_of_frames()));
+  const AMF::Calibrated_options calibrated = AMF::calibrated_options();
+  const bool is_published = c.preset == Preset::PUBLISHED;
+  result.triangle_weights = is_published ? published.triangle_weights : calibrated.triangle_weights;
+  result.selection = is_published ? published.selection : calibrated.selection;
+  result.alpha = c.alpha.value_or(is_published ? published.alpha : calibrated.alpha);
+  if (is_published && c.temporal_filter == Temporal_filter::BOX)
+    result.box_width = c.box_width.value_or(published.temporal_filter.width());
+  if (c.threshold) result.selection.relative_threshold = *c.threshold;
+  if (c.absolute_threshold) result.selection.absolute_threshold = *c.absolute_threshold;
+  if (c.no_suppression) result.selection.suppress_non_maxima = false;
+}
+
+// The deformation of all vertices in all frames; on the way, the fields are written.
+template <class CurvatureMeasure>
+Values deformation(const Sequence& sequence, const Command_line& c, const CurvatureMeasure& curvature,
+                   Detection& result, Result_files& files, Monitor& monitor)
+{
+  auto options = AMF::calibrated_options()
+                     .with_strain(Chosen_strain(c.strain))
+                     .with_curvature(curvature)
+                     .with_balls(Chosen_balls(c.balls));
+  options.triangle_weights = result.triangle_weights;
+  options.alpha = result.alpha;
+  if (options.alpha != 0 || files.is_wanted(Field::CURVATURE))
+    result.ball_radius = c.ball_radius ? c.ball_radius->on(sequence.rest_shape().bounding_box_diagonal())
+                                       : AMF::default_ball_radius(sequence.rest_shape());
+  options.ball_radius = result.ball_radius;
+  AMF::Feature_detector<Sequence, decltype(options)> detector(sequence, options);
+
+  const auto write = [&](Field kind, const Values& field) {
+    const Stage_log::Scope stage(monitor.log(), "writing");
+    files.write_field(kind, field);
+  };
+  if (files.is_wanted(Field::STRAIN)) write(Field::STRAIN, detector.strain(monitor));
+  if (files.is_wanted(Field::CURVATURE)) write(Field::CURVATURE, detector.curvature_change(monitor));
+  const Values& sum = detector.deformation(monitor);
+  if (files.is_wanted(Field::DEFORMATION)) write(Field::DEFORMATION, sum);
+  return sum;
+}
+
+template <class Sampling, class Response>
+void find_features(const Sequence& sequence, Values deformation, const Chosen_spatial_filter& spatial,
+                   const Chosen_temporal_filter& temporal, const Sampling& sampling, const Response& response,
+                   Detection& result, Monitor& monitor)
+{
+  auto options = AMF::calibrated_options()
+                     .with_spatial_filter(spatial)
+                     .with_temporal_filter(temporal)
+                     .with_sampling(sampling)
+                     .with_response(response);
+  options.selection = result.selection;
+  AMF::Feature_detector<Sequence, decltype(options)> detector(sequence, options);
+  detector.set_deformation(std::move(deformation));
+  detector(std::back_inserter(result.features), monitor);
+  result.number_of_minima = detector.number_of_minima();
+  result.sigma_levels = detector.sigma_levels();
+  result.tau_levels = detector.tau_levels();
+  // a response needs levels on either side, an extremum needs responses
+  result.levels_below = Response::below + 1;
+  result.levels_above = Response::above + 1;
+}
+
+AMF::Fixed_ratio_sampling fixed_ratio_sampling(const Sequence& sequence, const Command_line& c)
+{
+  const double diagonal = sequence.rest_shape().bounding_box_diagonal();
+  AMF::Fixed_ratio_sampling sampling;
+  if (c.sigma.min) sampling.sigma.min = c.sigma.min->on(diagonal);
+  if (c.sigma.max) sampling.sigma.max = c.sigma.max->on(diagonal);
+  if (c.tau.min) sampling.tau.min = *c.tau.min;
+  if (c.tau.max) sampling.tau.max = *c.tau.max;
+  return sampling;
+}
+
+} // namespace
+
+Detection detect(const Sequence& sequence, const Command_line& c, Result_files& files, Monitor& monitor)
+{
+  Detection result;
+  set_defaults(sequence, c, result);
+  Values field = c.curvature == Curvature::DENSITY
+                     ? deformation(sequence, c, AMF::Mean_curvature_density(), result, files, monitor)
+                     : deformation(sequence, c, AMF::Mean_dihedral_angle(), result, files, monitor);
+
+  const bool is_published = c.preset == Preset::PUBLISHED;
+  // The paper has one scale for all vertices.
+  const Chosen_spatial_filter spatial = c.spatial_filter == Spatial_filter::ONE_RING
+                                            ? Chosen_spatial_filter(AMF::One_ring_average_filter(!is_published))
+                                            : Chosen_spatial_filter(AMF::Heat_diffusion_filter());
+  const Chosen_temporal_filter temporal = c.temporal_filter == Temporal_filter::BOX
+                                              ? Chosen_temporal_filter(AMF::Box_temporal_filter(result.box_width))
+                                              : Chosen_temporal_filter(AMF::Gaussian_temporal_filter());
+  if (!is_published) {
+    find_features(sequence, std::move(field), spatial, temporal, fixed_ratio_sampling(sequence, c),
+                  AMF::Central_difference_of_gaussians(), result, monitor);
+    return result;
+  }
+  try {
+    find_features(sequence, std::move(field), spatial, temporal, AMF::Every_smoothing_count(),
+                  AMF::Forward_difference_of_gaussians(), result, monitor);
+  } catch (const AMF::Option_error& e) {
+    throw AMF::Option_error(std::string(e.what()) +
+                            "; use --preset calibrated, or a smaller --box-width if there are too few in time");
+  }
+  return result;
+}
+
+} // namespace Detect_features

@@ -1,0 +1,577 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Animated_mesh_features authors.
+#
+# This file is part of the package Animated_mesh_features for CGAL.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# The command line of detect_features: every option, every kind of bad input, files and exit codes.
+# DETECT_FEATURES and MAKE_ANIMATION are the programs; without them, or without python3, the test is skipped (77).
+
+set -u
+program="${DETECT_FEATURES:-}"
+generator="${MAKE_ANIMATION:-}"
+if [[ -z "$program" || -z "$generator" ]] || ! command -v python3 >/dev/null; then
+  echo "skipped: needs DETECT_FEATURES, MAKE_ANIMATION and python3"
+  exit 77
+fi
+
+folder="$(mktemp -d)"
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failed=0
+checks=0
+
+fail() {
+  echo "failed: $*"
+  failed=1
+}
+
+# expect <exit code> <part of the messages> <arguments...>: leaves the two outputs in the files out and err.
+expect() {
+  local code="$1" message="$2"
+  shift 2
+  checks=$((checks + 1))
+  "$program" "$@" >out 2>err </dev/null
+  local got=$?
+  [[ $got -eq $code ]] || fail "$*: exit code $got, not $code: $(head -c 300 err)"
+  [[ -z "$message" ]] || grep -qF -- "$message" err || fail "$*: no message \"$message\" but: $(head -c 300 err)"
+}
+
+# usage, input, output <part of the message> <arguments...>: the error of that kind, and nothing written
+usage() { expect 2 "$@" && nothing_written; }
+input() { expect 3 "$@" && nothing_written; }
+output() { expect 4 "$@" && nothing_written; }
+nothing_written() {
+  [[ ! -s out ]] || fail "something on the standard output in spite of an error"
+  [[ ! -e x.json ]] || fail "x.json in spite of an error"
+  no_temporaries
+}
+no_temporaries() { [[ -z "$(find . -name '.*.tmp')" ]] || fail "temporary files are left: $(find . -name '.*.tmp')"; }
+
+# check <python expression>: with a, b... the contents of the JSON files a.json, b.json..., and helpers
+check() {
+  checks=$((checks + 1))
+  python3 tool.py check "$1" || fail "$1"
+}
+
+cat >tool.py <<'PYTHON'
+import json, os, pty, re, signal, struct, subprocess, sys, time
+
+
+def load(name):
+    with open(name + ".json") as file:
+        return json.load(file, parse_constant=lambda c: sys.exit(name + ".json contains " + c))
+
+
+def near(x, y, tolerance=1e-6):
+    return abs(x - y) <= tolerance * max(abs(x), abs(y), 1e-300)
+
+
+def p(d):
+    return d["parameters"]
+
+
+def where(d):
+    return [(f["vertex"], f["frame"]) for f in d["features"]]
+
+
+def npy(path):
+    """Shape and values of a little-endian float32 array in C order."""
+    data = open(path, "rb").read()
+    assert data[:8] == b"\x93NUMPY\x01\x00"
+    (length,) = struct.unpack("<H", data[8:10])
+    header = eval(data[10:10 + length])
+    assert header["descr"] == "<f4" and header["fortran_order"] is False and (10 + length) % 64 == 0
+    n, f = header["shape"]
+    return (n, f), struct.unpack("<%df" % (n * f), data[10 + length:])
+
+
+def read_pc2(base):
+    data = open(base + ".pc2", "rb").read()
+    n, f = struct.unpack("<i", data[16:20])[0], struct.unpack("<i", data[28:32])[0]
+    xyz = struct.unpack("<%df" % (3 * n * f), data[32:])
+    return n, f, [xyz[3 * n * i:3 * n * (i + 1)] for i in range(f)]
+
+
+def faces(base):
+    return [line for line in open(base + ".obj") if line.startswith("f ")]
+
+
+def write_obj(path, xyz, faces):
+    with open(path, "w") as file:
+        for i in range(0, len(xyz), 3):
+            file.write("v %.17g %.17g %.17g\n" % tuple(xyz[i:i + 3]))
+        file.writelines(faces)
+
+
+def again(name):
+    """The command line that the parameters of a JSON file stand for."""
+    q = load(name)["parameters"]
+    options = ["--" + k.replace("_", "-") + "=" + str(q[k])
+               for k in ("fps", "rest", "preset", "strain", "alpha", "curvature", "balls", "ball_radius",
+                         "spatial_filter", "temporal_filter", "box_width", "sigma_range", "tau_range", "threshold",
+                         "absolute_threshold") if q[k] is not None]
+    options += ["--triangulate"] * q["triangulate"] + ["--rescale-rest"] * q["rescale_rest"]
+    options += ["--no-suppression"] * (not q["suppression"])
+    return options + q["inputs"]
+
+
+def interrupt(program, arguments):
+    """Sends SIGINT as soon as there is a temporary file; the exit code, or what went wrong."""
+    process = subprocess.Popen([program] + arguments, stderr=subprocess.PIPE,
+                               preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+    while process.poll() is None and not any(re.fullmatch(r"\..*\.tmp", n) for n in os.listdir(".")):
+        time.sleep(0.01)
+    if process.poll() is not None:
+        return "ended before it could be interrupted"
+    time.sleep(0.2)
+    start = time.time()
+    process.send_signal(signal.SIGINT)
+    message = process.communicate()[1].decode()
+    if "interrupted" not in message:
+        return "message: " + message
+    if time.time() - start > 10:
+        return "took %g s" % (time.time() - start)
+    return process.returncode
+
+
+def on_terminal(program, arguments):
+    """What the program writes to a terminal as standard error output."""
+    master, slave = pty.openpty()
+    process = subprocess.Popen([program] + arguments, stdout=subprocess.DEVNULL, stderr=slave)
+    os.close(slave)
+    text = b""
+    while True:
+        try:
+            part = os.read(master, 65536)
+        except OSError:  # the other end is closed
+            break
+        if not part:
+            break
+        text += part
+    return process.wait(), text.decode()
+
+
+command, arguments = sys.argv[1], sys.argv[2:]
+if command == "check":
+    for name in set(re.findall(r"[A-Za-z_]\w*", arguments[0])):
+        if os.path.exists(name + ".json"):
+            globals()[name] = load(name)
+    sys.exit(0 if eval("(" + arguments[0] + ")") else 1)
+elif command == "frames":  # base, names of the frames, separated by commas: a mesh for each of them
+    n, f, frames = read_pc2(arguments[0])
+    for xyz, name in zip(frames, arguments[1].split(",")):
+        write_obj(name, xyz, faces(arguments[0]))
+elif command == "scaled":  # base, factor, output: the first frame
+    n, f, frames = read_pc2(arguments[0])
+    write_obj(arguments[2], [float(arguments[1]) * x for x in frames[0]], faces(arguments[0]))
+elif command == "mdd":  # base, time of the frame i as an expression, output
+    n, f, frames = read_pc2(arguments[0])
+    with open(arguments[2], "wb") as file:
+        file.write(struct.pack(">ii", f, n) + struct.pack(">%df" % f, *(eval(arguments[1]) for i in range(f))))
+        for xyz in frames:
+            file.write(struct.pack(">%df" % (3 * n), *xyz))
+elif command == "poke":  # base, frame, vertex, value, output: a PC2 with that x
+    data = bytearray(open(arguments[0] + ".pc2", "rb").read())
+    n = struct.unpack("<i", data[16:20])[0]
+    struct.pack_into("<f", data, 32 + 12 * (n * int(arguments[1]) + int(arguments[2])), float(arguments[3]))
+    open(arguments[4], "wb").write(data)
+elif command == "cut":  # base, number of frames, output: a PC2 of the first frames
+    data = bytearray(open(arguments[0] + ".pc2", "rb").read())
+    n = struct.unpack("<i", data[16:20])[0]
+    struct.pack_into("<i", data, 28, int(arguments[1]))
+    open(arguments[2], "wb").write(data[:32 + 12 * n * int(arguments[1])])
+elif command == "again":
+    print("\n".join(again(arguments[0])))
+elif command == "interrupt":
+    print(interrupt(arguments[0], arguments[1:]))
+elif command == "terminal":
+    code, text = on_terminal(arguments[0], arguments[1:])
+    sys.stdout.write(text)
+    sys.exit(code)
+PYTHON
+
+# ------------------------------------------------------------------------------------------------------ the animation
+
+"$generator" figure --vertices 1000 --fps 10 -o c >/dev/null || fail "make_animation"
+frames=$(python3 -c 'import struct; print(struct.unpack("<i", open("c.pc2", "rb").read()[28:32])[0])')
+vertices=$(grep -c '^v ' c.obj)
+[[ $frames -eq 16 ]] || fail "the animation has $frames frames, the test expects 16"
+
+# find <options...>: a successful run on the animation, into x.json
+find_features() {
+  rm -f x.json
+  expect 0 "" c.obj c.pc2 --fps 10 -o x.json "$@"
+}
+# differs <options...>: they have an effect on the features
+differs() {
+  find_features "$@"
+  check 'x["features"] != base["features"] and len(x["features"]) > 0'
+}
+
+expect 0 "feature" c.obj c.pc2 --fps 10 -o base.json
+check 'base["format"] == "animated-mesh-features" and base["version"] == 1'
+check "base['animation']['vertices'] == $vertices and base['animation']['frames'] == $frames"
+check 'near(base["animation"]["frame_duration"], 0.1)'
+check 'len(base["features"]) >= 3'
+check 'all(f["strength"] > 0 and f["sigma"] > 0 and f["tau"] > 0 for f in base["features"])'
+check 'sorted((f["response"] for f in base["features"])) == [f["response"] for f in base["features"]]'
+check 'p(base)["preset"] == "calibrated" and p(base)["program"].startswith("detect_features ")'
+[[ "$(wc -l <err)" -eq 1 ]] || fail "the summary is not one line"
+# nothing but the message, and no control characters, where there is no terminal
+if LC_ALL=C grep -q "[^[:print:]]" err; then fail "control characters without a terminal"; fi
+no_temporaries
+
+# ------------------------------------------------------------------------------------------------------- usage, version
+
+expect 2 "Usage: detect_features"
+grep -q "  detect_features .*-o" err || fail "the short usage has no example"
+expect 0 "" --help
+for word in --sigma-range "0.2)" seconds "Exit codes" "Examples:"; do
+  grep -qF -- "$word" out || fail "--help lacks $word"
+done
+expect 0 "" -h
+expect 0 "" --version
+grep -qE '^detect_features [0-9]+\.[0-9]+' out || fail "--version: $(cat out)"
+
+usage "--wibble" c.obj c.pc2 --wibble
+usage "--thresh" c.obj c.pc2 --thresh 0.5
+usage "no input" -o x.json
+usage "alpha" c.obj c.pc2 --alpha
+usage "alpha" c.obj c.pc2 --alpha 1 --alpha 2
+usage "no number" c.obj c.pc2 --alpha much
+usage "negative" c.obj c.pc2 --alpha=-1
+usage "no number" c.obj c.pc2 --alpha nan
+usage "empty" c.obj c.pc2 --strain ""
+usage "choose among hencky, green-lagrange, stretch, largest-eigenvalue" c.obj c.pc2 --strain wrong
+usage "calibrated, published" c.obj c.pc2 --preset wrong
+usage "above 1" c.obj c.pc2 --threshold 1.5
+usage "not positive" c.obj c.pc2 --fps 0
+usage "not positive" c.obj c.pc2 --ball-radius 0%
+usage "MIN:MAX" c.obj c.pc2 --sigma-range 3
+usage "MIN:MAX" c.obj c.pc2 --tau-range :
+usage "MIN:MAX" c.obj c.pc2 --tau-range 1:2:3
+usage "no number" c.obj c.pc2 --tau-range 10%:20%
+usage "sigma" c.obj c.pc2 --sigma-range 10%:1%
+usage "can resolve" c.obj c.pc2 --sigma-range 0.0001%:0.0002%
+usage "--tau-range does not go with --preset published" c.obj c.pc2 --preset published --tau-range :0.5
+usage "--sigma-range does not go with --preset published" c.obj c.pc2 --preset published --sigma-range 1%:
+usage "--box-width" c.obj c.pc2 --box-width 5
+usage "--box-width" c.obj c.pc2 --preset published --box-width 1
+usage "--box-width" c.obj c.pc2 --preset published --temporal-filter gaussian --box-width 5
+usage "smaller --box-width" c.obj c.pc2 --preset published --box-width 1000
+usage "--rescale-rest" c.obj c.pc2 --rescale-rest
+usage "frames are 0 to 15" c.obj c.pc2 --rest frame:16
+usage "--rest" c.obj c.pc2 --rest frame:x
+usage "--threads" c.obj c.pc2 --threads=-1
+usage "exclude" c.obj c.pc2 --quiet --verbose
+usage "-o json:x.txt" c.obj c.pc2 -o x.txt
+usage "strain:FILE" c.obj c.pc2 --write-field pressure:x.npy
+usage "same file" c.obj c.pc2 -o x.json -o x.json
+usage "standard output" c.obj c.pc2 -o - -o csv:-
+usage "no name" c.obj c.pc2 -o csv:
+
+# ----------------------------------------------------------------------------------------------------- every option
+
+# The animation's clock: everything as before, in half of the time.
+find_features --verbose # a reference that shows what --quiet suppresses
+rm -f x.json
+expect 0 "" c.obj c.pc2 --fps 20 -o x.json
+check 'where(x) == where(base) and all(near(f["tau"], g["tau"] / 2) for f, g in zip(x["features"], base["features"]))'
+rm -f x.json
+expect 0 "" c.obj c.pc2 -o x.json
+check 'p(x)["fps"] == 30 and near(x["animation"]["frame_duration"], 1 / 30)'
+
+differs --rest average
+check 'p(x)["rest"] == "average"'
+differs --rest frame:7
+# the mesh of frame 7 is frame 7
+python3 tool.py frames c "$(seq -s, -f 'f%g.obj' 0 15)"
+cp x.json frame7.json
+find_features --rest f7.obj
+check 'all(near(f[k], g[k], 1e-6) for f, g in zip(x["features"], frame7["features"]) for k in ("sigma", "strength"))'
+check 'where(x) == where(frame7) and p(x)["rest_factor"] == 1'
+# in another unit
+python3 tool.py scaled c 25.4 inches.obj
+rm -f x.json
+input "--rescale-rest" c.obj c.pc2 --rest inches.obj -o x.json
+grep -q "inches.obj.*0\.0393" err || fail "no ratio or file in: $(cat err)"
+find_features --rest inches.obj --rescale-rest
+check 'where(x) == where(base) and near(p(x)["rest_factor"], 1 / 25.4, 1e-4)'
+
+differs --preset published
+check '[p(x)[k] for k in ("strain", "curvature", "spatial_filter", "temporal_filter", "suppression")] ==
+       ["largest-eigenvalue", "dihedral", "one-ring", "box", False]'
+check 'p(x)["box_width"] == 3 and p(x)["triangle_weights"] == "uniform"'
+cp x.json published.json
+find_features --preset published --box-width 2
+check 'x["features"] != published["features"] and p(x)["box_width"] == 2'
+find_features --preset published --strain hencky --temporal-filter gaussian
+check 'x["features"] != published["features"] and p(x)["strain"] == "hencky" and p(x)["box_width"] is None'
+find_features --preset published --spatial-filter heat
+check 'x["features"] != published["features"]'
+
+differs --spatial-filter one-ring
+check 'p(x)["spatial_filter"] == "one-ring" and p(base)["spatial_filter"] == "heat"'
+differs --temporal-filter box
+check 'p(x)["temporal_filter"] == "box" and p(base)["temporal_filter"] == "gaussian"'
+# a similar Gaussian: the strongest feature hardly changes
+check 'near(x["features"][0]["strength"], base["features"][0]["strength"], 0.05)'
+for strain in green-lagrange stretch largest-eigenvalue; do
+  differs --strain $strain
+  check "p(x)['strain'] == '$strain'"
+  cp x.json "${strain//-/_}.json"
+done
+check 'green_lagrange["features"] != stretch["features"] != largest_eigenvalue["features"]'
+differs --curvature dihedral
+differs --balls dijkstra
+find_features --balls heat-global
+check 'p(x)["balls"] == "heat-global" and
+       near(x["features"][0]["strength"], base["features"][0]["strength"], 0.01)'
+differs --ball-radius 12%
+check 'near(p(x)["ball_radius"], 0.12 * x["animation"]["bounding_box_diagonal"])'
+cp x.json percent.json
+find_features --ball-radius "$(python3 -c 'import json; print(json.load(open("x.json"))["parameters"]["ball_radius"])')"
+check 'x["features"] == percent["features"]'
+differs --alpha 2
+# Without curvature there are no balls.
+differs --alpha 0 --verbose
+grep -q "strain" err || fail "--verbose does not tell the stages"
+if grep -q "balls" err; then fail "balls with --alpha 0"; fi
+check 'p(x)["ball_radius"] is None and p(x)["alpha"] == 0'
+differs --sigma-range 5%:20%
+check 'near(p(x)["sigma_levels"][2], 0.05 * x["animation"]["bounding_box_diagonal"])'
+differs --sigma-range 8%:
+differs --sigma-range :6%
+check 'all(f["sigma"] < 0.08 * x["animation"]["bounding_box_diagonal"] for f in x["features"])'
+differs --sigma-range 0.3:0.6
+check 'near(p(x)["sigma_levels"][2], 0.3)'
+differs --tau-range 0.2:0.4
+check 'near(p(x)["tau_levels"][2], 0.2) and near(p(x)["tau_levels"][-3], 0.4)'
+differs --tau-range :0.2
+find_features --threshold 0
+check 'len(x["features"]) > len(base["features"])'
+find_features --threshold 1
+check 'len(x["features"]) == 1 and x["features"][0] == base["features"][0]'
+find_features --absolute-threshold 1e6
+check 'x["features"] == []'
+grep -q "thresholds" err || fail "no reason for finding nothing: $(cat err)"
+find_features --threshold 0 --no-suppression
+check 'len(x["features"]) > len(base["features"]) and p(x)["suppression"] is False'
+
+# The parameters are all that is needed to do it again.
+for options in "" "--preset published --box-width 2" \
+  "--rest inches.obj --rescale-rest --sigma-range 2%: --tau-range 0.1:0.3 --ball-radius 9% --threshold 0.01" \
+  "--rest average --alpha 0 --no-suppression --temporal-filter box --spatial-filter one-ring"; do
+  # shellcheck disable=SC2086
+  find_features $options
+  cp x.json first.json
+  mapfile -t arguments < <(python3 tool.py again first)
+  expect 0 "" "${arguments[@]}" -o again.json
+  cmp -s first.json again.json || fail "the parameters of \"$options\" give another result: ${arguments[*]}"
+done
+
+# The number of threads changes no byte.
+find_features --threads 1
+cp x.json one.json
+find_features --threads 2
+cmp -s x.json one.json || fail "another result with two threads"
+cmp -s x.json base.json || fail "another result with all threads"
+
+# ----------------------------------------------------------------------------------------------------- output
+
+expect 0 "x.csv" c.obj c.pc2 --fps 10 -o x.json -o x.csv -o x.ply -o csv:table.txt -o ply:cloud
+check 'len(open("x.csv").readlines()) == len(base["features"]) + 1'
+check '[line.split(",")[0] for line in open("x.csv")][1:] == [str(f["vertex"]) for f in base["features"]]'
+cmp -s x.csv table.txt || fail "csv:FILE is another table"
+cmp -s x.ply cloud || fail "ply:FILE is another cloud"
+check '("element vertex %d\n" % len(base["features"])).encode() in open("x.ply", "rb").read()'
+cmp -s x.json base.json || fail "JSON among other outputs is another one"
+expect 0 "feature" c.obj c.pc2 --fps 10
+cmp -s out base.json || fail "the default is not JSON on the standard output"
+expect 0 "feature" c.obj c.pc2 --fps 10 -o -
+cmp -s out base.json || fail "-o - is not JSON on the standard output"
+expect 0 "feature" c.obj c.pc2 --fps 10 -o csv:-
+cmp -s out x.csv || fail "-o csv:- is not the table"
+expect 0 "" c.obj c.pc2 --fps 10 -o csv:/dev/stdout
+cmp -s out x.csv || fail "-o csv:/dev/stdout is not the table"
+"$program" c.obj c.pc2 --fps 10 -q | cmp -s - base.json || fail "JSON through a pipe"
+mkfifo pipe
+cat pipe >piped &
+expect 0 "" c.obj c.pc2 --fps 10 -o json:pipe
+wait $!
+[[ -p pipe ]] || fail "the pipe was replaced"
+cmp -s piped base.json || fail "JSON through a named pipe"
+ln -s target.json link.json
+expect 0 "" c.obj c.pc2 --fps 10 -o link.json
+[[ -L link.json ]] || fail "the link was replaced"
+cmp -s target.json base.json || fail "not written through a link"
+
+expect 0 "" c.obj c.pc2 --quiet -o x.json
+[[ ! -s err && ! -s out ]] || fail "--quiet is not quiet: $(cat err)"
+expect 0 "peak" c.obj c.pc2 --verbose -o x.json
+for word in "$vertices vertices" "border edges" "isolated" "degenerate" "minima" "limit" "reading" "geodesic balls" \
+  "curvature" "strain" "scale space" "extrema" "writing" "total" " s" " MB"; do
+  grep -qF -- "$word" err || fail "--verbose lacks $word"
+done
+python3 tool.py terminal "$program" c.obj c.pc2 -o x.json >seen || fail "on a terminal"
+grep -q '#.*%.*extrema' seen || fail "no progress bar on a terminal"
+python3 tool.py terminal "$program" c.obj c.pc2 -o x.json --quiet >seen || fail "quietly on a terminal"
+[[ ! -s seen ]] || fail "--quiet is not quiet on a terminal"
+
+expect 0 "d.npy" c.obj c.pc2 --fps 10 -o x.json --write-field strain:s.npy --write-field curvature:k.npy \
+  --write-field deformation:d.npy
+cmp -s x.json base.json || fail "other features when fields are written"
+check "npy('s.npy')[0] == ($vertices, $frames)"
+check 'all(abs(s + 7 * k - d) < 1e-5 for s, k, d in zip(npy("s.npy")[1], npy("k.npy")[1], npy("d.npy")[1]))'
+check 'min(npy("k.npy")[1]) >= 0 and max(npy("k.npy")[1]) > 0.001 and max(npy("s.npy")[1]) > 0.01'
+# in the first frame, the rest shape, nothing is deformed
+check "max(npy('d.npy')[1][::$frames]) < 1e-5"
+expect 0 "" c.obj c.pc2 --alpha 0 --write-field curvature:k0.npy -o x.json
+cmp -s k.npy k0.npy || fail "the curvature depends on its weight"
+
+# ----------------------------------------------------------------------------------------------------- kinds of input
+
+# Frames in natural order, in a folder and one by one, are the same animation.
+mkdir frames
+(cd frames && python3 ../tool.py frames ../c "$(seq -s, -f 'walk%g.obj' 1 16)")
+expect 0 "" frames --fps 10 -o x.json
+check 'x["features"] == base["features"]'
+expect 0 "" frames/walk*.obj --fps 10 -o x.json
+check 'x["features"] == base["features"]'
+expect 0 "" c.pc2 c.obj --fps 10 -o x.json
+check 'x["features"] == base["features"]'
+
+# MDD files tell the time.
+python3 tool.py mdd c "0.5 + 0.1 * i" timed.mdd
+expect 0 "" c.obj timed.mdd -o x.json
+check 'where(x) == where(base) and near(p(x)["fps"], 10, 1e-5)'
+expect 0 "" c.obj timed.mdd --fps 10 -o x.json
+check 'x["features"] == base["features"]'
+python3 tool.py mdd c "0.1 * i + (i > 5)" jump.mdd
+rm -f x.json
+input "frame 6" c.obj jump.mdd -o x.json
+grep -q "jump.mdd.*--fps" err || fail "unequal times: no file or remedy in: $(cat err)"
+expect 0 "" c.obj jump.mdd --fps 10 -o x.json
+check 'x["features"] == base["features"]'
+
+# ----------------------------------------------------------------------------------------------------- bad input
+
+rm -f x.json
+input "missing.obj: cannot read" missing.obj c.pc2 -o x.json
+input "missing.pc2: cannot read" c.obj missing.pc2 -o x.json
+input "missing.obj: cannot read" c.obj c.pc2 --rest missing.obj -o x.json
+input "one mesh is no animation" c.obj -o x.json
+input "mesh file" c.pc2 -o x.json
+
+head -c 5000 c.pc2 >short.pc2
+input "short.pc2" c.obj short.pc2 -o x.json
+grep -q "whole frames" err || fail "a truncated PC2: $(cat err)"
+head -c 20 c.pc2 >header.pc2
+input "header.pc2: ends within the header" c.obj header.pc2 -o x.json
+: >empty.pc2
+input "empty.pc2: is empty" c.obj empty.pc2 -o x.json
+
+"$generator" cylinder --vertices 300 --fps 10 -o other >/dev/null || fail "make_animation"
+input "$vertices vertices" c.obj other.pc2 -o x.json
+grep -q "other.pc2: has .* points, but the mesh c.obj" err || fail "another point count: $(cat err)"
+
+for value in nan inf -inf; do
+  python3 tool.py poke c 7 123 "$value" bad.pc2
+  input "bad.pc2: frame 7, vertex 123" c.obj bad.pc2 -o x.json
+  mkdir bad && cp f0.obj f2.obj bad/
+  sed "s/^v [^ ]*/v $value/" f1.obj >bad/f1.obj
+  input "bad/f1.obj" bad -o x.json
+  grep -q "vertex 0" err || fail "$value in OBJ: $(cat err)"
+  rm -r bad
+done
+sed "s/^v [^ ]*/v nan/" f1.obj >nan.obj
+input "nan.obj" c.obj c.pc2 --rest nan.obj -o x.json
+
+printf 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 0 0\nf 2 5 3\nf 1 2 3 4\n' >quad0.obj
+sed 's/v 1 1 0/v 1 1 0.2/' quad0.obj >quad1.obj
+sed 's/v 1 1 0/v 1 1 0.4/' quad0.obj >quad2.obj
+input "face 1" quad0.obj quad1.obj quad2.obj -o x.json
+grep -q -- "quad0.obj.*--triangulate" err || fail "a quad: no file or remedy in: $(cat err)"
+# cut, it is an animation, if too small a one for any feature
+expect 0 "" quad0.obj quad1.obj quad2.obj --triangulate --sigma-range 80%:200% -o x.json
+check 'x["animation"]["faces"] == 3 and p(x)["triangulate"] is True'
+rm x.json
+
+# The last two faces in another order, one less, other corners.
+lines=$(wc -l <f1.obj)
+{ head -n $((lines - 2)) f1.obj; tail -n 2 f1.obj | tac; } >swapped.obj
+head -n -1 f1.obj >fewer.obj
+triangles=$(grep -c '^f ' f1.obj)
+input "swapped.obj: triangle $((triangles - 2))" f0.obj swapped.obj f2.obj -o x.json
+input "fewer.obj: has $((triangles - 1)) triangles" f0.obj fewer.obj f2.obj -o x.json
+input "swapped.obj: triangle $((triangles - 2))" c.obj c.pc2 --rest swapped.obj -o x.json
+input "other.obj: has" c.obj c.pc2 --rest other.obj -o x.json
+grep -q "c.obj" err || fail "a rest shape of another size: $(cat err)"
+
+python3 tool.py cut c 1 one.pc2
+input "one.pc2: one frame is no animation" c.obj one.pc2 -o x.json
+python3 tool.py cut c 2 two.pc2
+input "two.pc2: the animation has 2 frames; at least 3" c.obj two.pc2 -o x.json
+input "the animation has 2 frames; at least 3" f0.obj f1.obj -o x.json
+python3 tool.py cut c 3 three.pc2
+expect 0 "" c.obj three.pc2 -o x.json
+rm x.json
+mkdir nothing
+input "nothing: the folder has no mesh files" nothing -o x.json
+
+for f in 0 1 2; do printf 'v 0 0 %s\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\n' $f >fan$f.obj; done
+input "fan0.obj: edge (0, 1)" fan0.obj fan1.obj fan2.obj -o x.json
+printf 'no mesh at all' >text.obj
+input "text.obj" text.obj c.pc2 -o x.json
+printf 'v 0 0 0\n' >text.txt
+input "text.txt" text.txt c.pc2 -o x.json
+
+# Allowed, and reported: several components, a degenerate triangle, an isolated vertex.
+for f in 0 1 2; do
+  { cat f$f.obj; printf 'v 50 0 %s\nv 50 1 0\nv 51 0 0\nv 60 0 0\nv 61 0 0\nv 62 0 0\nv 70 0 0\n' $f
+    printf 'f %d %d %d\n' -7 -6 -5 -4 -3 -2; } >odd$f.obj
+done
+expect 0 "3 components" odd0.obj odd1.obj odd2.obj -v -o x.json
+grep -q "1 isolated vertex, 1 degenerate triangle" err || fail "the report of an unusual mesh: $(cat err)"
+rm x.json
+
+# ----------------------------------------------------------------------------------------------------- bad output
+
+mkdir folder.json
+echo old >file
+output "nowhere/x.json: cannot write" c.obj c.pc2 -o nowhere/x.json
+output "folder.json: cannot write" c.obj c.pc2 -o folder.json
+output "file/x.json: cannot write" c.obj c.pc2 -o file/x.json
+output "nowhere/s.npy: cannot write" c.obj c.pc2 -o x.json --write-field strain:nowhere/s.npy
+if [[ -c /dev/full ]]; then
+  for format in json csv ply; do output "/dev/full: cannot write" c.obj c.pc2 -o $format:/dev/full; done
+  output "/dev/full: cannot write" c.obj c.pc2 -o x.json --write-field deformation:/dev/full
+  "$program" c.obj c.pc2 >/dev/full 2>err
+  [[ $? -eq 4 ]] || fail "a full disk behind the standard output"
+  "$program" --help >/dev/full 2>err
+  [[ $? -eq 4 ]] || fail "a full disk behind --help"
+  # What stood there stays, if any output fails.
+  echo old >old.json
+  output "/dev/full" c.obj c.pc2 -o old.json -o csv:/dev/full
+  [[ "$(cat old.json)" == old ]] || fail "an old file was replaced although another output failed"
+  [[ -c /dev/full ]] || fail "/dev/full was replaced"
+fi
+echo old >old.json
+input "missing" missing.obj c.pc2 -o old.json
+usage "resolve" c.obj c.pc2 -o old.json --sigma-range 0.0001%:0.0002%
+[[ "$(cat old.json)" == old ]] || fail "an old file was replaced in spite of an error"
+
+"$generator" cylinder --vertices 8000 --fps 10 -o big >/dev/null || fail "make_animation"
+# A reader that goes away.
+"$program" big.obj big.pc2 --alpha 0 -o x.json --write-field strain:- 2>err | head -c 1 >/dev/null
+[[ ${PIPESTATUS[0]} -eq 4 ]] || fail "a reader that goes away"
+nothing_written
+code="$(python3 tool.py interrupt "$program" big.obj big.pc2 --balls heat-global -o old.json -o x.json)"
+[[ "$code" == 130 ]] || fail "SIGINT: $code"
+nothing_written
+[[ "$(cat old.json)" == old ]] || fail "an old file was replaced in spite of an interruption"
+
+[[ $failed -eq 0 ]] && echo "detect_features: $checks checks, all as expected"
+exit $failed
