@@ -71,7 +71,7 @@ Density_error density_error(const Shape& s, double radius, double curvature_of_u
   const Mesh mesh = mesh_of(s);
   const auto sequence = sequence_of(mesh, s.points, frames);
   Amf::Mean_curvature_density measure;
-  measure.length_over_diagonal = 1 / sequence.rest_shape().bounding_box_diagonal();
+  measure.length_over_diameter = 1 / sequence.rest_shape().diameter();
   const Field h = Amf::curvature(sequence, dijkstra_balls(sequence, radius), measure);
   double sum = 0, worst = 0;
   std::size_t counted = 0;
@@ -318,7 +318,7 @@ void test_sums_over_balls()
           const Vec o = p[std::size_t(t[0])];
           area += corners / 3 * (p[std::size_t(t[1])] - o).cross(p[std::size_t(t[2])] - o).norm() / 2;
         }
-        const double unit = 0.005 * sequence.rest_shape().bounding_box_diagonal();
+        const double unit = 0.006 * sequence.rest_shape().diameter();
         const double expected = area > 0 ? unit * numerator / (2 * area) : 0;
         const double expected_mean = count > 0 ? sum / count : 0;
         if (count == 0) ++lonely;
@@ -446,7 +446,7 @@ void test_radius()
   const auto sequence = sequence_of(mesh, w.rest.points, w.frames);
   const Amf::Rest_shape& rest = sequence.rest_shape();
   CHECK_NEAR(Amf::default_ball_radius(rest),
-             (std::max)(0.04 * rest.bounding_box_diagonal(), 3 * rest.mean_edge_length()), 1e-15);
+             (std::max)(0.045 * rest.diameter(), 3 * rest.mean_edge_length()), 1e-15);
   CHECK_THROWS(Amf::Option_error, dijkstra_balls(sequence, -1), "radius");
   CHECK_THROWS(Amf::Option_error, dijkstra_balls(sequence, std::numeric_limits<double>::quiet_NaN()), "radius");
   CHECK_THROWS(Amf::Option_error, dijkstra_balls(sequence, std::numeric_limits<double>::infinity()), "radius");

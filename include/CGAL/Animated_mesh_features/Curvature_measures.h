@@ -37,7 +37,7 @@ lengths and areas of the frame, and weights \f$w\f$ by `membership`. `p`, `q` an
 
 /*!
 The density of mean curvature, \f$H = \sum_e w_e \beta_e |e| \,/\, (2 \sum_t w_t A_t)\f$, made dimensionless by a length
-\f$\ell\f$ that is a fraction of the bounding-box diagonal of the rest shape. The default.
+\f$\ell\f$ that is a fraction of the diameter of the rest shape. The default.
 
 Counting half of an edge of which one end is in the ball, and likewise for triangles, makes it converge under
 refinement: on a sphere of curvature 1 it is 1.002, 1.000, 1.000 at edge lengths h, h/2, h/4, without these weights
@@ -47,11 +47,11 @@ struct Mean_curvature_density
 {
   static constexpr Ball_membership membership = Ball_membership::FRACTION;
 
-  /// \f$\ell\f$ as a fraction of the diagonal. 0.5 % puts curvature changes in the range of the strains that go with
+  /// \f$\ell\f$ as a fraction of the diameter. 0.6 % puts curvature changes in the range of the strains that go with
   /// them, so that the paper's weight \f$\alpha = 7\f$ keeps its meaning.
-  double length_over_diagonal = 0.005;
+  double length_over_diameter = 0.006;
 
-  double factor(const Rest_shape& shape) const { return length_over_diagonal * shape.bounding_box_diagonal(); }
+  double factor(const Rest_shape& shape) const { return length_over_diameter * shape.diameter(); }
 
   template <class T>
   T edge_numerator(const T& angle, const T& length) const

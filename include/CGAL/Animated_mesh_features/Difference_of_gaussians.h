@@ -31,8 +31,9 @@ Central differences of logarithmic scales, the default: with \f$\hat s = s/\sigm
 units of the sampling,
 \f[ D = \hat u^{1/4}\,\frac{L_{k+1,l} - L_{k-1,l}}{\ln(\sigma_{k+1}/\sigma_{k-1})} +
         \hat s^{1/2} \hat u^{-1/4}\,\frac{L_{k,l+1} - L_{k,l-1}}{\ln(\tau_{l+1}/\tau_{l-1})} . \f]
-Both terms peak at the scales of a Gaussian blob; one of amplitude A with the scales of the units gives D = -0.53 A. (Forward
-differences at a ratio of \f$\sqrt2\f$ would bias \f$\sigma\f$ by -13 %.)
+Both terms peak at the scales of a Gaussian blob; one of amplitude A with the scales of the units gives D = -0.53 A
+in the limit of close levels, -0.515 A at the default ratios. (Forward differences at a ratio of \f$\sqrt2\f$ would bias
+\f$\sigma\f$ by -13 %.)
 */
 class Central_difference_of_gaussians
 {

@@ -62,6 +62,9 @@ Vertices are grouped in clusters of neighbours. The heat method is factored once
 `patch_reach` radii beyond a cluster, and solved for each vertex of the cluster; each distance is clamped to [Euclid,
 shortest path along edges]. Only one source is used at a time, as distances to several are wrong next to the border.
 Linear in the number of vertices.
+
+The clusters depend on the numbering of the vertices, and with them, by some 10^-3 of the radius, the distances at the rim of a
+ball: renumbering changes the strengths of features in the third digit. `Dijkstra_geodesic_balls` do not depend on it.
 */
 struct Heat_method_geodesic_balls
 {

@@ -10,6 +10,9 @@
 #include <CGAL/Animated_mesh_features/Compressed_rows.h>
 #include <CGAL/Animated_mesh_features/exceptions.h>
 
+#include <CGAL/Min_sphere_of_points_d_traits_3.h>
+#include <CGAL/Min_sphere_of_spheres_d.h>
+#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -126,6 +129,11 @@ public:
   double mean_edge_length() const { return m_mean_edge_length; }
   double bounding_box_diagonal() const { return m_diagonal; }
 
+  /// the diameter of the smallest enclosing sphere: the size of the shape that default lengths are fractions of. Other than the
+  /// diagonal of the axis-parallel bounding box, which it equals for a box and else is 85 to 95 % of, it does not change
+  /// when the shape is turned.
+  double diameter() const { return m_diameter; }
+
   void set_points(std::vector<Point> points)
   {
     m_points = std::move(points);
@@ -220,6 +228,13 @@ private:
       high = high.cwiseMax(p);
     }
     m_diagonal = (high - low).norm();
+    typedef CGAL::Simple_cartesian<double> Kernel;
+    std::vector<Kernel::Point_3> points;
+    points.reserve(m_points.size());
+    for (const Point& p : m_points) points.emplace_back(p[0], p[1], p[2]);
+    CGAL::Min_sphere_of_spheres_d<CGAL::Min_sphere_of_points_d_traits_3<Kernel, double>> sphere(points.begin(),
+                                                                                                      points.end());
+    m_diameter = 2 * CGAL::to_double(sphere.radius());
   }
 
   std::vector<Triangle> m_triangles;
@@ -231,6 +246,7 @@ private:
   std::vector<double> m_areas, m_lengths;
   double m_mean_edge_length = 0;
   double m_diagonal = 0;
+  double m_diameter = 0;
 };
 
 } // namespace Animated_mesh_features

@@ -51,7 +51,7 @@ struct Fixed_ratio_sampling
   /// rate are found again more often, by up to 8 % of the strongest 50, than at \f$\sqrt2\f$.
   double tau_ratio = std::cbrt(2.);
 
-  /// the range of \f$\sigma\f$ (length); by default 1.2 % to 15 % of the bounding-box diagonal.
+  /// the range of \f$\sigma\f$ (length); by default 1.4 % to 17.5 % of the diameter of the rest shape.
   Scale_range sigma;
 
   /// the range of \f$\tau\f$ (seconds); by default from one frame to a sixth of the duration.
@@ -66,7 +66,7 @@ struct Fixed_ratio_sampling
                           const TemporalFilter&) const
   {
     const double duration = double(number_of_frames) * frame_duration;
-    const Scale_range s = completed(sigma, 0.012 * shape.bounding_box_diagonal(), 0.15 * shape.bounding_box_diagonal());
+    const Scale_range s = completed(sigma, 0.014 * shape.diameter(), 0.175 * shape.diameter());
     const Scale_range t = completed(tau, frame_duration, (std::max)(duration / 6, frame_duration));
     Scale_levels levels;
     // The smallest level, two below the first at which features are found, must have a variance that the filter can make.

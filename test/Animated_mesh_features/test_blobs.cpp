@@ -1,0 +1,293 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The detector on fields whose features are known: Gaussian blobs in space and time on surfaces of which the geodesic
+// distances are known. What it finds must lie where the blobs are, with their scales.
+
+#include <CGAL/Animated_mesh_features/Feature_detector.h>
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Projection_traits_xy_3.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+
+#include "test_support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iomanip>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Amf = CGAL::Animated_mesh_features;
+typedef CGAL::Simple_cartesian<double> Kernel;
+typedef Kernel::Point_3 Point;
+typedef CGAL::Surface_mesh<Point> Mesh;
+typedef Amf::Frame_sequence<Mesh> Sequence;
+
+namespace {
+
+const double pi = std::acos(-1.);
+const std::size_t frames = 48;
+const double frame_duration = 1. / 30;
+
+struct Blob
+{
+  Point centre;
+  double time, sigma, tau, amplitude;
+};
+
+typedef std::function<double(const Point&, const Point&)> Distance;
+
+Sequence resting(const Mesh& mesh)
+{
+  return Sequence(mesh, std::vector<std::vector<Point>>(
+                            frames, std::vector<Point>(mesh.points().begin(), mesh.points().end())), frame_duration);
+}
+
+Amf::Spatio_temporal_field<double> field_of(const Mesh& mesh, const std::vector<Blob>& blobs, const Distance& distance)
+{
+  Amf::Spatio_temporal_field<double> field(num_vertices(mesh), frames);
+  for (Mesh::Vertex_index v : mesh.vertices())
+    for (const Blob& b : blobs) {
+      const double r = distance(mesh.point(v), b.centre) / b.sigma;
+      for (std::size_t f = 0; f < frames; ++f) {
+        const double t = (double(f) * frame_duration - b.time) / b.tau;
+        field(v, f) += b.amplitude * std::exp(-(r * r + t * t) / 2);
+      }
+    }
+  return field;
+}
+
+double median(std::vector<double> x)
+{
+  std::nth_element(x.begin(), x.begin() + std::ptrdiff_t(x.size() / 2), x.end());
+  return x[x.size() / 2];
+}
+
+struct Bounds
+{
+  double median_scale, largest_scale; // relative errors of sigma and tau
+  double place;                       // over the blob's sigma
+  double time;                        // over the blob's tau
+};
+
+template <class Options>
+void check(const std::string& name, const Mesh& mesh, const std::vector<Blob>& blobs, const Distance& distance,
+           const Options& options, const Bounds& bounds)
+{
+  const Sequence sequence = resting(mesh);
+  Amf::Feature_detector<Sequence, Options> detector(sequence, options);
+  detector.set_deformation(field_of(mesh, blobs, distance));
+  std::vector<typename Amf::Feature_detector<Sequence, Options>::Feature> features;
+  detector(std::back_inserter(features));
+
+  // one feature for each blob, and no other
+  CHECK(features.size() == blobs.size());
+  std::vector<double> sigma_errors, tau_errors, place_errors, time_errors;
+  for (const Blob& b : blobs) {
+    const auto nearest = std::min_element(features.begin(), features.end(), [&](const auto& f, const auto& g) {
+      const auto away = [&](const auto& x) {
+        const Point p(x.rest_position[0], x.rest_position[1], x.rest_position[2]);
+        return distance(p, b.centre) / b.sigma + std::abs(x.time - b.time) / b.tau;
+      };
+      return away(f) < away(g);
+    });
+    if (nearest == features.end()) continue;
+    const Point p(nearest->rest_position[0], nearest->rest_position[1], nearest->rest_position[2]);
+    sigma_errors.push_back(std::abs(nearest->sigma / b.sigma - 1));
+    tau_errors.push_back(std::abs(nearest->tau / b.tau - 1));
+    place_errors.push_back(distance(p, b.centre) / b.sigma);
+    time_errors.push_back(std::abs(nearest->time - b.time) / b.tau);
+    CHECK(!nearest->at_scale_limit);
+  }
+  if (sigma_errors.empty()) return;
+  const auto largest = [](const std::vector<double>& x) { return *std::max_element(x.begin(), x.end()); };
+  std::cout << std::setw(28) << std::left << name << std::fixed << std::setprecision(2) << " sigma median "
+            << 100 * median(sigma_errors) << " % largest " << 100 * largest(sigma_errors) << " %, tau "
+            << 100 * median(tau_errors) << " % " << 100 * largest(tau_errors) << " %, place "
+            << 100 * largest(place_errors) << " % of sigma, time " << 100 * largest(time_errors) << " % of tau"
+            << std::endl;
+  CHECK(median(sigma_errors) <= bounds.median_scale);
+  CHECK(largest(sigma_errors) <= bounds.largest_scale);
+  CHECK(median(tau_errors) <= bounds.median_scale);
+  CHECK(largest(tau_errors) <= bounds.largest_scale);
+  CHECK(largest(place_errors) <= bounds.place);
+  CHECK(largest(time_errors) <= bounds.time);
+}
+
+// The unit sphere, by splitting the triangles of an icosahedron.
+Mesh sphere(int splits)
+{
+  Mesh mesh;
+  CGAL::make_icosahedron<Mesh, Point>(mesh);
+  for (int i = 0; i < splits; ++i) {
+    Mesh finer;
+    for (Mesh::Vertex_index v : mesh.vertices()) finer.add_vertex(mesh.point(v));
+    std::map<Mesh::Edge_index, Mesh::Vertex_index> middle;
+    for (Mesh::Edge_index e : mesh.edges())
+      middle[e] = finer.add_vertex(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+    for (Mesh::Face_index f : mesh.faces()) {
+      std::vector<Mesh::Vertex_index> c, m;
+      for (Mesh::Halfedge_index h : mesh.halfedges_around_face(mesh.halfedge(f))) {
+        c.push_back(mesh.source(h));
+        m.push_back(middle[mesh.edge(h)]);
+      }
+      finer.add_face(m[0], m[1], m[2]);
+      for (int j = 0; j < 3; ++j) finer.add_face(c[j], m[j], m[(j + 2) % 3]);
+    }
+    mesh = finer;
+  }
+  for (Mesh::Vertex_index v : mesh.vertices()) {
+    const Kernel::Vector_3 x = mesh.point(v) - CGAL::ORIGIN;
+    mesh.point(v) = CGAL::ORIGIN + x / std::sqrt(x.squared_length());
+  }
+  return mesh;
+}
+
+double great_circle(const Point& p, const Point& q)
+{
+  const Kernel::Vector_3 a = p - CGAL::ORIGIN, b = q - CGAL::ORIGIN;
+  return std::atan2(std::sqrt(CGAL::cross_product(a, b).squared_length()), a * b);
+}
+
+Point on_sphere(double longitude, double latitude)
+{
+  return Point(std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude), std::sin(latitude));
+}
+
+// The flat torus' lattice on a torus in space: a regular triangulation, each vertex with six neighbours.
+Mesh torus(std::size_t around, std::size_t along, double large, double small)
+{
+  Mesh mesh;
+  const auto vertex = [&](std::size_t i, std::size_t j) {
+    return Mesh::Vertex_index(Mesh::size_type((i % along) * around + j % around));
+  };
+  for (std::size_t i = 0; i < along; ++i)
+    for (std::size_t j = 0; j < around; ++j) {
+      const double a = 2 * pi * double(i) / double(along);
+      const double b = 2 * pi * (double(j) + (i % 2 ? 0.5 : 0)) / double(around);
+      const double r = large + small * std::cos(b);
+      mesh.add_vertex(Point(r * std::cos(a), r * std::sin(a), small * std::sin(b)));
+    }
+  for (std::size_t i = 0; i < along; ++i)
+    for (std::size_t j = 0; j < around; ++j) {
+      if (i % 2 == 0) {
+        mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i, j + 1));
+        mesh.add_face(vertex(i, j + 1), vertex(i + 1, j), vertex(i + 1, j + 1));
+      } else {
+        mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
+        mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+      }
+    }
+  return mesh;
+}
+
+// A square of side 2 whose density of vertices rises 8-fold from left to right: random points that keep a distance, and
+// their Delaunay triangulation.
+Mesh irregular_square()
+{
+  typedef CGAL::Projection_traits_xy_3<CGAL::Exact_predicates_inexact_constructions_kernel> Traits;
+  typedef CGAL::Delaunay_triangulation_2<Traits> Delaunay;
+  std::mt19937 random(7);
+  const auto uniform = [&] { return double(random()) / double(std::mt19937::max()) * 2 - 1; };
+  std::vector<Point> points;
+  for (int i = -1; i <= 1; i += 2)
+    for (int j = -1; j <= 1; j += 2) points.emplace_back(i, j, 0);
+  for (int attempt = 0; attempt < 40000; ++attempt) {
+    const Point p(uniform(), uniform(), 0);
+    const double apart = 0.042 * std::pow(8., -(p.x() + 1) / 4); // a density of 8 is a distance of sqrt(1/8)
+    const double squared = apart * apart;
+    if (std::all_of(points.begin(), points.end(),
+                    [&](const Point& q) { return CGAL::squared_distance(p, q) >= squared; }))
+      points.push_back(p);
+  }
+  Delaunay delaunay;
+  std::map<Delaunay::Vertex_handle, Mesh::Vertex_index> index;
+  Mesh mesh;
+  for (const Point& p : points)
+    index[delaunay.insert(Traits::Point_2(p.x(), p.y(), 0))] = mesh.add_vertex(p);
+  for (auto f = delaunay.finite_faces_begin(); f != delaunay.finite_faces_end(); ++f)
+    mesh.add_face(index[f->vertex(0)], index[f->vertex(1)], index[f->vertex(2)]);
+  return mesh;
+}
+
+double euclid(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+
+} // namespace
+
+int main()
+{
+  const auto scales = [](auto options, double sigma_min, double sigma_max) {
+    options.sampling.sigma = {sigma_min, sigma_max};
+    options.sampling.tau = {0.04, 0.3};
+    options.selection.relative_threshold = 0.3;
+    return options;
+  };
+  const auto ring = Amf::calibrated_options().with_spatial_filter(Amf::One_ring_average_filter());
+  const auto box = Amf::calibrated_options().with_temporal_filter(Amf::Box_temporal_filter());
+
+  const Mesh ball = sphere(5);
+  const std::vector<Blob> on_ball = {
+      {on_sphere(0.1, 0.2), 0.4, 0.1, 0.06, 1},   {on_sphere(1.3, -0.3), 0.9, 0.13, 0.1, 1},
+      {on_sphere(2.4, 0.5), 1.2, 0.09, 0.08, 1},  {on_sphere(3.7, -0.1), 0.5, 0.17, 0.12, 1},
+      {on_sphere(4.8, 0.4), 0.71, 0.11, 0.15, 1}, {on_sphere(1.0, -1.3), 0.633, 0.15, 0.09, 1}};
+  check("sphere, heat, gaussian", ball, on_ball, great_circle, scales(Amf::calibrated_options(), 0.06, 0.3),
+        {0.01, 0.026, 0.05, 0.05});
+  check("sphere, one-ring, gaussian", ball, on_ball, great_circle, scales(ring, 0.06, 0.3), {0.01, 0.026, 0.1, 0.05});
+  check("sphere, heat, box", ball, on_ball, great_circle, scales(box, 0.06, 0.3), {0.02, 0.04, 0.05, 0.05});
+
+  // on the outer equator, where the metric is symmetric; distances by the torus' own coordinates there
+  const double large = 3, small = 1;
+  const Mesh ring_surface = torus(60, 208, large, small);
+  const auto on_torus = [&](double a) { return Point((large + small) * std::cos(a), (large + small) * std::sin(a), 0); };
+  const Distance near_equator = [&](const Point& p, const Point& q) {
+    const auto coordinates = [&](const Point& x) {
+      return std::make_pair(std::atan2(x.y(), x.x()), std::atan2(x.z(), std::hypot(x.x(), x.y()) - large));
+    };
+    const auto c = coordinates(p), d = coordinates(q);
+    const double along = std::remainder(c.first - d.first, 2 * pi);
+    const double around = std::remainder(c.second - d.second, 2 * pi);
+    // the circle of latitude in the middle between the two
+    const double r = large + small * std::cos((c.second + d.second) / 2);
+    return std::hypot(r * along, small * around);
+  };
+  check("torus, heat, gaussian", ring_surface,
+        {{on_torus(0), 0.5, 0.25, 0.08, 1}, {on_torus(2), 0.8, 0.2, 0.13, 1}, {on_torus(4.1), 1.1, 0.3, 0.1, 1}},
+        near_equator, scales(Amf::calibrated_options(), 0.12, 0.6), {0.02, 0.04, 0.05, 0.05});
+
+  const Mesh square = irregular_square();
+  std::cout << "irregular square: " << num_vertices(square) << " vertices" << std::endl;
+  const std::vector<Blob> on_square = {
+      {Point(-0.5, -0.5, 0), 0.4, 0.14, 0.08, 1}, {Point(-0.45, 0.5, 0), 1.1, 0.12, 0.1, 1},
+      {Point(0.02, 0.01, 0), 0.8, 0.11, 0.12, 1}, {Point(0.5, -0.5, 0), 1.2, 0.1, 0.09, 1},
+      {Point(0.55, 0.45, 0), 0.5, 0.13, 0.1, 1}};
+  check("8-fold density, heat", square, on_square, euclid, scales(Amf::calibrated_options(), 0.06, 0.3),
+        {0.01, 0.026, 0.1, 0.05});
+  check("8-fold density, one-ring", square, on_square, euclid, scales(ring, 0.06, 0.3), {0.06, 0.12, 0.3, 0.05});
+
+  // A blob of amplitude A with the scales of the response's units: smoothed to (s, u), its centre is
+  // A s0 / (s0 + s) sqrt(u0 / (u0 + u)); the differences of that between the levels sqrt(2) and cbrt(2) away give 0.515 A.
+  auto options = scales(Amf::calibrated_options(), 0.06, 0.3);
+  const double sigma = std::sqrt(0.06 * 0.3), tau = std::sqrt(0.04 * 0.3);
+  const Sequence sequence = resting(ball);
+  Amf::Feature_detector<Sequence> detector(sequence, options);
+  detector.set_deformation(field_of(ball, {{on_sphere(0.5, 0.3), 0.8, sigma, tau, 2.5}}, great_circle));
+  std::vector<Amf::Feature_detector<Sequence>::Feature> features;
+  detector(std::back_inserter(features));
+  CHECK(features.size() == 1);
+  if (!features.empty()) CHECK_NEAR(features[0].strength() / 2.5, 0.515, 0.005);
+
+  return test_support::test_result();
+}
