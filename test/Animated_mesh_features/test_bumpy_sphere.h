@@ -39,7 +39,8 @@ struct Bumpy_sphere
   std::vector<std::array<std::size_t, 3>> triangles;
   std::vector<std::vector<Point_3>> frames;
   double frame_duration = 1. / 24;
-  std::vector<Bump> bumps = {{{{0.9, 0.3, 0.2}}, 0.25, 0.20, 0.40, 0.07}, {{{-0.5, 0.7, -0.4}}, 0.35, 0.30, 0.60, 0.11}};
+  std::vector<Bump> bumps = {{{{0.9, 0.3, 0.2}}, 0.25, 0.20, 0.40, 0.07},
+                             {{{-0.5, 0.7, -0.4}}, 0.35, 0.30, 0.60, 0.11}};
 
   // 10 * 4^n + 2 vertices
   explicit Bumpy_sphere(int subdivisions = 3, std::size_t number_of_frames = 24)

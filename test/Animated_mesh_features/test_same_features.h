@@ -84,9 +84,7 @@ Found found(const Feature& f, const std::vector<std::size_t>& order)
 }
 
 // Detects, and checks that each descriptor belongs to its rank.
-template <class ConcurrencyTag = CGAL::Sequential_tag,
-          class Mesh,
-          class FT,
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Mesh, class FT,
           class Options = CGAL::Animated_mesh_features::Calibrated_options>
 std::vector<Found> detect(const Bumpy_sphere& sphere,
                           const CGAL::Animated_mesh_features::Frame_sequence<Mesh, FT>& sequence,
@@ -106,7 +104,8 @@ std::vector<Found> detect(const Bumpy_sphere& sphere,
 }
 
 // With tolerance 0 the same bits. Otherwise numbers may differ by that fraction of the larger of 1 and themselves.
-inline void check_same(const std::vector<Found>& a, const std::vector<Found>& b, double tolerance, const std::string& what)
+inline void check_same(const std::vector<Found>& a, const std::vector<Found>& b, double tolerance,
+                       const std::string& what)
 {
   report(!a.empty(), __FILE__, __LINE__, what + ": no features to compare with");
   report(a.size() == b.size(), __FILE__, __LINE__,
@@ -158,7 +157,8 @@ public:
     report(std::is_sorted(order.begin(), order.end()) == same_order, __FILE__, __LINE__, name + ": order of vertices");
     const auto sequence = animated(m_sphere, mesh);
     check_same(m_features, detect(m_sphere, sequence), same_order ? 0 : 1e-3, name);
-    check_same(m_features_by_paths, detect(m_sphere, sequence, m_options), same_order ? 0 : 1e-9, name + ", balls by paths");
+    check_same(m_features_by_paths, detect(m_sphere, sequence, m_options), same_order ? 0 : 1e-9,
+               name + ", balls by paths");
   }
 
 private:

@@ -205,6 +205,17 @@ private:
           throw Input_error("frame " + std::to_string(f) + ": the field is not finite at vertex " + std::to_string(v));
   }
 
+  // A minimum has a level on either side, and all three have those of which their differences are made.
+  static void check_number_of_levels(const Scale_levels& levels)
+  {
+    typedef typename Options::SpaceTimeResponse Response;
+    constexpr std::size_t least = Response::below + Response::above + 3;
+    if (levels.space_variances.size() < least || levels.time_variances.size() < least)
+      throw Option_error("there are " + std::to_string(levels.space_variances.size()) + " space levels and " +
+                         std::to_string(levels.time_variances.size()) + " time levels; at least " +
+                         std::to_string(least) + " of each are needed");
+  }
+
   template <class Visitor>
   void find_minima(Visitor& visitor)
   {
@@ -214,7 +225,13 @@ private:
     const double clock = animation().frame_duration;
     const Scale_levels levels =
         m_options.sampling(shape, frames, clock, m_options.spatial_filter, m_options.temporal_filter);
-    m_options.spatial_filter.initialize(shape, levels.space_variances, loop(visitor, Stage::SCALE_SPACE));
+    check_number_of_levels(levels);
+    {
+      const internal::Stage_scope<Visitor> stage(visitor, Stage::SCALE_SPACE);
+      // a range of no length, so that the fraction is 0 until there are levels
+      const internal::Task_loop<ConcurrencyTag, Visitor> preparation(visitor, Stage::SCALE_SPACE, 0, 0);
+      m_options.spatial_filter.initialize(shape, levels.space_variances, preparation);
+    }
     m_options.temporal_filter.initialize(frames, clock, levels.time_variances);
     m_sigma.clear();
     m_tau.clear();

@@ -51,12 +51,14 @@ draw or look at a user interface without locking.
 */
 struct Default_visitor
 {
-  /// called when a stage begins. `SCALE_SPACE` and `EXTREMA` begin and end alternately, once for each batch of space levels,
-  /// and their fractions go on growing; the other stages begin once.
+  /// called when a stage begins. `SCALE_SPACE` begins a first time while its filter is prepared; then `SCALE_SPACE` and
+  /// `EXTREMA` begin and end alternately, once for each batch of space levels, and their fractions go on growing. The other
+  /// stages begin once.
   void begin(Stage) {}
 
   /*!
-  called between portions of the work of a stage, at least 30 times a stage, with `fraction` growing from 0 to 1.
+  called between portions of the work of a stage, at least 30 times a stage (on meshes of less than 2000 vertices less
+  often), with `fraction` growing from 0 to 1.
   Stages of which a part cannot be divided (a factorisation) are silent for that time.
   \returns whether to go on. If `false`, `Cancelled` is thrown out of the detector within one portion of work.
   */

@@ -18,7 +18,6 @@ int main()
 
 #else
 
-  // as their headers are no model of C++17 without warnings
   #include <OpenMesh/Core/IO/MeshIO.hh>
   #include <OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh>
   #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

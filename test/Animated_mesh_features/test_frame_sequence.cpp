@@ -1,0 +1,276 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What Frame_sequence takes and what it refuses, with messages by which the fault can be found; and that what is unusual but
+// allowed - several components, borders, isolated vertices, degenerate triangles - is counted, and does no harm.
+
+#include "test_bumpy_sphere.h"
+#include "test_support.h"
+
+#include <CGAL/Animated_mesh_features/Frame_sequence.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/detect_spatio_temporal_features.h>
+
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <string>
+#include <vector>
+
+using namespace test_support;
+namespace AMF = CGAL::Animated_mesh_features;
+typedef CGAL::Surface_mesh<Point_3> Mesh;
+typedef std::vector<std::vector<Point_3>> Frames;
+typedef AMF::Frame_sequence<Mesh> Sequence;
+
+const double infinity = std::numeric_limits<double>::infinity();
+const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<Point_3> scaled(std::vector<Point_3> points, double factor)
+{
+  for (Point_3& p : points) p = Point_3(factor * p.x(), factor * p.y(), factor * p.z());
+  return points;
+}
+
+AMF::Spatio_temporal_field<double> coordinate(const Frames& frames, int i)
+{
+  AMF::Spatio_temporal_field<double> field(frames[0].size(), frames.size());
+  for (std::size_t f = 0; f < frames.size(); ++f)
+    for (std::size_t v = 0; v < frames[f].size(); ++v) field(v, f) = frames[f][v][i];
+  return field;
+}
+
+void test_positions(const Bumpy_sphere& sphere, const Mesh& mesh)
+{
+  Sequence sequence(mesh, sphere.frames, sphere.frame_duration);
+  const Sequence from_fields(mesh, coordinate(sphere.frames, 0), coordinate(sphere.frames, 1),
+                             coordinate(sphere.frames, 2), sphere.frame_duration);
+  CHECK(sequence.number_of_frames() == sphere.frames.size());
+  CHECK(sequence.number_of_vertices() == sphere.rest.size());
+  CHECK(sequence.frame_duration() == sphere.frame_duration);
+  CHECK(&sequence.triangle_mesh() == &mesh);
+  bool same = true, rest_is_first = true, rank = true;
+  std::size_t i = 0;
+  for (Mesh::Vertex_index v : vertices(mesh)) {
+    rank = rank && get(sequence.vertex_index_map(), v) == i;
+    for (std::size_t f : {std::size_t(0), std::size_t(11), sphere.frames.size() - 1})
+      same = same && get(sequence.point_map(f), v) == sphere.frames[f][i] &&
+             get(from_fields.point_map(f), v) == sphere.frames[f][i];
+    rest_is_first = rest_is_first && get(sequence.rest_point_map(), v) == sphere.frames[0][i];
+    ++i;
+  }
+  CHECK(same);
+  CHECK(rest_is_first);
+  CHECK(rank);
+
+  sequence.set_rest_frame(13);
+  CHECK(get(sequence.rest_point_map(), *vertices(mesh).begin()) == sphere.frames[13][0]);
+  CHECK(sequence.set_rest_shape(sphere.rest) == 1);
+  CHECK(get(sequence.rest_point_map(), *vertices(mesh).begin()) == sphere.rest[0]);
+  CHECK_THROWS(AMF::Input_error, sequence.set_rest_frame(24), "no frame 24");
+  CHECK_THROWS(AMF::Input_error, sequence.set_rest_frame(24), "0 to 23");
+  // an error leaves the rest shape alone
+  CHECK(get(sequence.rest_point_map(), *vertices(mesh).begin()) == sphere.rest[0]);
+}
+
+void test_bad_connectivity(const Bumpy_sphere& sphere)
+{
+  Mesh mesh;
+  const auto a = mesh.add_vertex(Point_3(0, 0, 0)), b = mesh.add_vertex(Point_3(1, 0, 0)),
+             c = mesh.add_vertex(Point_3(1, 1, 0)), d = mesh.add_vertex(Point_3(0, 1, 0)),
+             e = mesh.add_vertex(Point_3(2, 0, 0));
+  const Frames frames(3,
+                      std::vector<Point_3>{mesh.point(a), mesh.point(b), mesh.point(c), mesh.point(d), mesh.point(e)});
+  CHECK_THROWS(AMF::Input_error, Sequence(mesh, frames, 1), "the mesh has no faces");
+  mesh.add_face(b, e, c);
+  mesh.add_face(a, b, c, d);
+  CHECK_THROWS(AMF::Input_error, Sequence(mesh, frames, 1), "face 1 has 4 vertices");
+  CHECK_THROWS(AMF::Input_error, Sequence(Mesh(), sphere.frames, 1), "the mesh has no faces");
+}
+
+void test_bad_frames(const Bumpy_sphere& sphere, const Mesh& mesh)
+{
+  const double clock = sphere.frame_duration;
+  Frames frames = sphere.frames;
+  frames[5].pop_back();
+  CHECK_THROWS(AMF::Input_error, Sequence(mesh, frames, clock), "frame 5 has 641 points, the mesh has 642 vertices");
+  for (double bad : {infinity, -infinity, not_a_number})
+    for (int i = 0; i < 3; ++i) {
+      double p[3] = {1, 2, 3};
+      p[i] = bad;
+      frames = sphere.frames;
+      frames[7][123] = Point_3(p[0], p[1], p[2]);
+      const std::string message = "frame 7: the position of vertex 123 is not finite";
+      CHECK_THROWS(AMF::Input_error, Sequence(mesh, frames, clock), message);
+      CHECK_THROWS(AMF::Input_error,
+                   Sequence(mesh, coordinate(frames, 0), coordinate(frames, 1), coordinate(frames, 2), clock), message);
+    }
+  frames = sphere.frames;
+  frames[7][123] = Point_3(1e300, 0, 0); // too large a number for float
+  CHECK(Sequence(mesh, frames, clock).number_of_frames() == 24);
+  CHECK_THROWS(AMF::Input_error, (AMF::Frame_sequence<Mesh, float>(mesh, frames, clock)), "vertex 123 is not finite");
+
+  const Frames two(sphere.frames.begin(), sphere.frames.begin() + 2);
+  CHECK_THROWS(AMF::Input_error, Sequence(mesh, two, clock), "2 frame(s); at least 3");
+  CHECK_THROWS(AMF::Input_error, Sequence(mesh, Frames(), clock), "0 frame(s); at least 3");
+  for (double bad : {0., -1., infinity, not_a_number})
+    CHECK_THROWS(AMF::Input_error, Sequence(mesh, sphere.frames, bad), "must be positive");
+
+  const AMF::Spatio_temporal_field<double> x = coordinate(sphere.frames, 0), shorter(642, 23), smaller(641, 24);
+  CHECK_THROWS(AMF::Input_error, Sequence(mesh, x, shorter, x, clock), "642 x 23");
+  CHECK_THROWS(AMF::Input_error, Sequence(mesh, x, x, smaller, clock), "641 x 24, the mesh has 642 vertices");
+}
+
+void test_rest_shape(const Bumpy_sphere& sphere, const Mesh& mesh)
+{
+  const Frames still(3, sphere.rest);
+  Sequence sequence(mesh, still, 1);
+  const double edge = sequence.rest_shape().mean_edge_length();
+
+  std::vector<Point_3> bad = sphere.rest;
+  bad.pop_back();
+  CHECK_THROWS(AMF::Input_error, sequence.set_rest_shape(bad), "the rest shape");
+  CHECK_THROWS(AMF::Input_error, sequence.set_rest_shape(bad), "641 points");
+  bad = sphere.rest;
+  bad[3] = Point_3(0, not_a_number, 0);
+  CHECK_THROWS(AMF::Input_error, sequence.set_rest_shape(bad), "vertex 3 is not finite");
+  CHECK_THROWS(AMF::Input_error, sequence.set_rest_shape(scaled(sphere.rest, 0)), "length zero");
+
+  // half and four times the size: the ratio and what can be done about it are in the message
+  CHECK_THROWS(AMF::Input_error, sequence.set_rest_shape(scaled(sphere.rest, 0.5)), "is 2 times as long");
+  CHECK_THROWS(AMF::Input_error, sequence.set_rest_shape(scaled(sphere.rest, 4)), "is 0.25 times as long");
+  CHECK_THROWS(AMF::Input_error, sequence.set_rest_shape(scaled(sphere.rest, 4)), "Rest_unit::RESCALE");
+  CHECK_THROWS(AMF::Input_error, sequence.set_rest_shape(scaled(sphere.rest, 4)), "--rescale-rest");
+  CHECK(sequence.rest_shape().mean_edge_length() == edge);
+
+  CHECK(sequence.set_rest_shape(scaled(sphere.rest, 0.5), AMF::Rest_unit::RESCALE) == 2);
+  CHECK(sequence.rest_shape().mean_edge_length() == edge);
+  CHECK(sequence.set_rest_shape(scaled(sphere.rest, 4), AMF::Rest_unit::KEEP) == 1);
+  CHECK(sequence.rest_shape().mean_edge_length() == 4 * edge);
+  // growth by a quarter passes for deformation, by a half it does not
+  CHECK(sequence.set_rest_shape(scaled(sphere.rest, 1.25)) == 1);
+  CHECK_NEAR(sequence.rest_shape().mean_edge_length(), 1.25 * edge, 1e-14);
+  CHECK_THROWS(AMF::Input_error, sequence.set_rest_shape(scaled(sphere.rest, 1.5)), "another unit");
+
+  // where nothing moves, the average is what is there
+  sequence.set_rest_average();
+  double largest = 0;
+  for (std::size_t v = 0; v < sphere.rest.size(); ++v)
+    largest = (std::max)(largest, CGAL::squared_distance(
+                                      get(sequence.rest_point_map(), Mesh::Vertex_index(unsigned(v))), sphere.rest[v]));
+  CHECK_NEAR(std::sqrt(largest), 0, 1e-9);
+}
+
+// The sphere, a square sheet with a sliver of height zero between its triangles, two isolated vertices, a triangle whose
+// corners lie on a line, and one whose corners are one point.
+struct Unusual_animation
+{
+  Mesh mesh;
+  Frames frames;
+  double frame_duration;
+  std::size_t first_behind_sphere;
+
+  explicit Unusual_animation(const Bumpy_sphere& sphere)
+    : frame_duration(sphere.frame_duration)
+  {
+    add_sphere(sphere, mesh);
+    first_behind_sphere = mesh.number_of_vertices();
+    add_sheet();
+    mesh.add_vertex(Point_3(0, 3, 0));
+    mesh.add_vertex(Point_3(0, 4, 0));
+    add_triangle(Point_3(0, 5, 0), Point_3(0, 5.25, 0), Point_3(0, 5.75, 0));
+    add_triangle(Point_3(0, 6, 0), Point_3(0, 6, 0), Point_3(0, 6, 0));
+    for (std::size_t f = 0; f < sphere.frames.size(); ++f) {
+      std::vector<Point_3> points = sphere.frames[f];
+      for (std::size_t v = first_behind_sphere; v < mesh.number_of_vertices(); ++v) {
+        const Point_3& p = mesh.point(Mesh::Vertex_index(unsigned(v)));
+        const double wave = 0.2 * std::sin(p.x() + 2 * p.y()) * std::exp(-std::pow(double(f) - 9.5, 2) / 6);
+        points.emplace_back(p.x(), p.y(), p.z() + wave);
+      }
+      frames.push_back(points);
+    }
+  }
+
+private:
+  static constexpr int side = 12; // vertices
+
+  void add_triangle(const Point_3& p, const Point_3& q, const Point_3& r)
+  {
+    const auto a = mesh.add_vertex(p), b = mesh.add_vertex(q), c = mesh.add_vertex(r);
+    mesh.add_face(a, b, c);
+  }
+
+  void add_sheet()
+  {
+    std::vector<Mesh::Vertex_index> v;
+    for (int j = 0; j < side; ++j)
+      for (int i = 0; i < side; ++i) v.push_back(mesh.add_vertex(Point_3(4 + i / 8., j / 8., 0)));
+    for (int j = 0; j + 1 < side; ++j)
+      for (int i = 0; i + 1 < side; ++i) {
+        const auto a = v[j * side + i], b = v[j * side + i + 1], c = v[(j + 1) * side + i + 1],
+                   d = v[(j + 1) * side + i];
+        if (i == 5 && j == 5) {
+          const auto m = mesh.add_vertex(CGAL::midpoint(mesh.point(a), mesh.point(c)));
+          mesh.add_face(a, b, m);
+          mesh.add_face(b, c, m);
+          mesh.add_face(a, m, c);
+        } else {
+          mesh.add_face(a, b, c);
+        }
+        mesh.add_face(a, c, d);
+      }
+  }
+};
+
+void test_unusual(const Bumpy_sphere& sphere)
+{
+  const Unusual_animation animation(sphere);
+  Sequence sequence(animation.mesh, animation.frames, animation.frame_duration);
+  CHECK(sequence.set_rest_shape(animation.mesh.points()) == 1);
+  const AMF::Animation_report report = sequence.report();
+  CHECK(report.degenerate_rest_triangles == 3);
+  CHECK(report.connected_components == 4);
+  CHECK(report.border_edges == 4 * 11 + 2 * 3);
+  CHECK(report.isolated_vertices == 2);
+
+  AMF::Calibrated_options options;
+  options.selection.relative_threshold = 0;
+  AMF::Feature_detector<Sequence> detector(sequence, options);
+  std::vector<AMF::Feature_detector<Sequence>::Feature> features;
+  detector(std::back_inserter(features));
+  bool finite = true;
+  for (const auto* field : {&detector.strain(), &detector.curvature_change(), &detector.deformation()})
+    for (std::size_t v = 0; v < field->number_of_rows(); ++v)
+      for (std::size_t f = 0; f < field->number_of_frames(); ++f) finite = finite && std::isfinite((*field)(v, f));
+  CHECK(finite);
+  std::size_t on_sphere = 0, on_sheet = 0;
+  const std::size_t isolated = animation.mesh.number_of_vertices() - 8;
+  for (const auto& f : features) {
+    double sum = f.time + f.sigma + f.tau + f.response;
+    for (int i = 0; i < 3; ++i) sum += f.position[i] + f.rest_position[i] + f.barycentric_coordinates[i];
+    CHECK(std::isfinite(sum) && f.sigma > 0 && f.tau > 0 && f.response < 0);
+    CHECK(f.vertex_index != isolated && f.vertex_index != isolated + 1);
+    on_sphere += f.vertex_index < animation.first_behind_sphere;
+    on_sheet += f.vertex_index >= animation.first_behind_sphere;
+  }
+  std::cout << on_sphere << " features on the sphere, " << on_sheet << " elsewhere" << std::endl;
+  CHECK(on_sphere >= sphere.bumps.size());
+  CHECK(on_sheet > 0);
+}
+
+int main()
+{
+  const Bumpy_sphere sphere;
+  Mesh mesh;
+  add_sphere(sphere, mesh);
+  test_positions(sphere, mesh);
+  test_bad_connectivity(sphere);
+  test_bad_frames(sphere, mesh);
+  test_rest_shape(sphere, mesh);
+  test_unusual(sphere);
+  return test_result();
+}
