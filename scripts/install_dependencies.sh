@@ -7,7 +7,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-packages=(g++ make cmake libcgal-dev libeigen3-dev libboost-dev libtbb-dev)
+packages=(g++ make cmake libcgal-dev libeigen3-dev libboost-dev libboost-program-options-dev libtbb-dev)
 # Without these a part of the tests is left out.
 optional=()
 case "${1:-}" in
