@@ -123,9 +123,9 @@ Every smoothing count, with the paper's names for the scales; a model of `ScaleS
 Level (k, l) is k passes of the spatial and l passes of the temporal filter, for all k up to
 \f$K = \lfloor 6\, r_s^2/h^2 \rfloor\f$ and l up to \f$L = \lfloor 6\, r_t^2/w^2 \rfloor\f$ (Eqs. 9 and 10), where \f$r_s\f$ is
 3 % of the bounding-box diagonal, \f$r_t\f$ half of the duration, h the mean edge length and w the width of the box. This
-reproduces the counts of the paper's Table 1: 77 for the horse in space (with the first frame as rest shape); in time 54 (F = 48, w = 8), 113 (139, 16), 107
-(169, 20), 94 (159, 20), 57 (99, 16), 150 (100, 10), 114 (70, 8). (The table's 100 for the cylinder with F = 40 fits w = 5
-with w² - 1 in the denominator only.)
+reproduces the counts in time of the paper's Table 1: 54 (F = 48, w = 8), 113 (139, 16), 107 (169, 20), 94 (159, 20),
+57 (99, 16), 150 (100, 10), 114 (70, 8). (The table's 100 for the cylinder with F = 40 fits w = 5 with w² - 1 in the
+denominator only.) In space it gives 78 for the first frame of the horse's gallop, for which the table has 77.
 
 A scale is named by Eq. (7), \f$\sigma = \sqrt{k (h^2 - 1)/12}\f$, in which h counts samples but the paper puts the length of an
 edge in the unit of the mesh. That is imaginary for h < 1. This class therefore measures lengths in a unit of which the mean
