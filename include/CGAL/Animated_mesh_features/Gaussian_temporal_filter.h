@@ -7,9 +7,9 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_GAUSSIAN_TEMPORAL_FILTER_H
 #define CGAL_ANIMATED_MESH_FEATURES_GAUSSIAN_TEMPORAL_FILTER_H
 
-#include <CGAL/number_utils.h>
-
 #include <boost/math/constants/constants.hpp>
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
@@ -67,11 +67,15 @@ public:
       row[-1 - i] = in[i];
       row[n + i] = in[n - 1 - i];
     }
-    for (std::ptrdiff_t f = 0; f < n; ++f) out[f] = FT(k[0]) * row[f];
-    for (std::ptrdiff_t m = 1; m <= reach; ++m) {
-      const FT weight = FT(k[std::size_t(m)]);
-      for (std::ptrdiff_t f = 0; f < n; ++f) out[f] += weight * (row[f - m] + row[f + m]);
-    }
+    typedef Eigen::Array<FT, Eigen::Dynamic, 1> Row;
+    const auto pair = [&](std::ptrdiff_t m) {
+      return FT(k[std::size_t(m)]) * (Eigen::Map<const Row>(row - m, n) + Eigen::Map<const Row>(row + m, n));
+    };
+    Eigen::Map<Row> sum(out, n);
+    sum = FT(k[0]) * Eigen::Map<const Row>(row, n);
+    std::ptrdiff_t m = 1;
+    for (; m + 1 <= reach; m += 2) sum += pair(m) + pair(m + 1); // two at a time: half of the loads and stores of the sum
+    if (m <= reach) sum += pair(m);
   }
 
 private:

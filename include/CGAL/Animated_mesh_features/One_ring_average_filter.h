@@ -10,6 +10,8 @@
 #include <CGAL/Animated_mesh_features/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -98,15 +100,14 @@ private:
   void average(const Spatio_temporal_field<FT>& in, std::size_t v, Spatio_temporal_field<FT>& out) const
   {
     const auto ring = m_shape->neighbours()[v];
-    const std::size_t stride = in.stride();
-    FT* sum = out.row(v);
-    std::copy(in.row(v), in.row(v) + stride, sum);
-    for (Rest_shape::Index w : ring) {
-      const FT* row = in.row(w);
-      for (std::size_t f = 0; f < stride; ++f) sum[f] += row[f];
-    }
-    const FT weight = FT(1) / FT(ring.size() + 1);
-    for (std::size_t f = 0; f < stride; ++f) sum[f] *= weight;
+    typedef Eigen::Array<FT, Eigen::Dynamic, 1> Row;
+    const auto row = [&](std::size_t w) {
+      return Eigen::Map<const Row, Eigen::Aligned64>(in.row(w), Eigen::Index(in.stride()));
+    };
+    Eigen::Map<Row, Eigen::Aligned64> sum(out.row(v), Eigen::Index(out.stride()));
+    sum = row(v);
+    for (Rest_shape::Index w : ring) sum += row(w);
+    sum *= FT(1) / FT(ring.size() + 1);
   }
 
   static std::vector<double> added_variance(const Rest_shape& shape)

@@ -14,6 +14,8 @@
 #include <CGAL/Animated_mesh_features/internal/Thread_local.h>
 #include <CGAL/Animated_mesh_features/internal/parallel_for.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -77,8 +79,8 @@ public:
     const Task_loop<ConcurrencyTag, Visitor> search_loop(visitor, Stage::EXTREMA);
     // D exists for k in [below, space_levels - above), an extremum has a D on either side.
     const std::size_t first = below + 1, last = m_space_levels - above - 1; // [first, last)
-    // Batches of at most 8 levels keep the memory bounded and recompute little: (8 + 2) / 8.
-    constexpr std::size_t batch = 8;
+    // Batches of at most 12 levels keep the memory bounded and recompute little: (12 + 2) / 12.
+    constexpr std::size_t batch = 12;
     std::vector<Extremum> extrema;
     Levels levels(m_space_levels);
     std::size_t smoothed = 0;
@@ -104,6 +106,7 @@ public:
 
 private:
   typedef std::vector<std::shared_ptr<Field>> Levels;
+  typedef Eigen::Array<FT, Eigen::Dynamic, 1> Row;
 
   struct Workspace
   {
@@ -163,7 +166,8 @@ private:
         const FT *s1 = smoothed(k + above, l), *s0 = smoothed(k - below, l);
         const FT *t1 = smoothed(k, l + above), *t0 = smoothed(k, l - below);
         FT* d = w.responses.data() + (k - (k0 - 1)) * plane + l * m_frames;
-        for (std::size_t f = 0; f < m_frames; ++f) d[f] = a * (s1[f] - s0[f]) + b * (t1[f] - t0[f]);
+        const auto row = [&](const FT* r) { return Eigen::Map<const Row>(r, Eigen::Index(m_frames)); };
+        Eigen::Map<Row>(d, Eigen::Index(m_frames)) = a * (row(s1) - row(s0)) + b * (row(t1) - row(t0));
       }
     }
   }
@@ -218,12 +222,8 @@ private:
     const FT a = FT(m_response.space_weight(k, l)), b = FT(m_response.time_weight(k, l));
     const FT *upper = levels[k + above]->row(v), *lower = levels[k - below]->row(v), *same = levels[k]->row(v);
     const FT *t = matrix_row(l, f), *t1 = matrix_row(l + above, f), *t0 = matrix_row(l - below, f);
-    FT space = 0, time = 0;
-    for (std::size_t j = 0; j < m_frames; ++j) {
-      space += (upper[j] - lower[j]) * t[j];
-      time += same[j] * (t1[j] - t0[j]);
-    }
-    return a * space + b * time;
+    const auto row = [&](const FT* r) { return Eigen::Map<const Row>(r, Eigen::Index(m_frames)); };
+    return a * ((row(upper) - row(lower)) * row(t)).sum() + b * (row(same) * (row(t1) - row(t0))).sum();
   }
 
   const FT* matrix_row(std::size_t l, std::size_t f) const { return m_matrices.data() + (l * m_frames + f) * m_frames; }
