@@ -55,7 +55,8 @@ sequence is in use. The rest shape is the first frame until one of the `set_rest
 
 Vertices are numbered by their rank in `vertices(mesh)`, also if the mesh's own indices have gaps.
 
-\tparam TriangleMesh a model of `FaceListGraph` and `HalfedgeListGraph` whose faces are triangles.
+\tparam TriangleMesh a model of `FaceListGraph`, `VertexListGraph` and `EdgeListGraph`, with dynamic vertex properties,
+  whose faces are triangles.
 \tparam FT_ `float` or `double`, the scalar of coordinates and of everything computed from them. `float` halves the
   memory; its rounding is about 10^-7 of the coordinates.
 */

@@ -71,15 +71,17 @@ public:
   // The loop for the i-th of n equal parts of this share.
   Task_loop part(std::size_t i, std::size_t n) const
   {
-    const double step = (m_to - m_from) / double(n);
-    return Task_loop(*m_visitor, m_stage, m_from + double(i) * step, m_from + double(i + 1) * step);
+    return Task_loop(*m_visitor, m_stage, at(double(i) / double(n)), at(double(i + 1) / double(n)));
   }
 
 private:
   void tell(double fraction) const
   {
-    if (!m_visitor->progress(m_stage, m_from + fraction * (m_to - m_from))) throw Cancelled();
+    if (!m_visitor->progress(m_stage, at(fraction))) throw Cancelled();
   }
+
+  // Exact at both ends: where one part ends the next begins, or the visitor might be told that a bit of work is undone.
+  double at(double fraction) const { return (1 - fraction) * m_from + fraction * m_to; }
 
   Visitor* m_visitor;
   Stage m_stage;

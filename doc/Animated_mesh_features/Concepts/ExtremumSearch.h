@@ -1,0 +1,41 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesConcepts
+\cgalConcept
+
+The concept `ExtremumSearch` describes which samples of the response - at a vertex, in a frame, at a spatial and a
+temporal scale - are minima. Samples of the first and the last frame, and of the outermost scales, are never asked
+about.
+
+A sample that is accepted is refined between samples as a minimum. Its strength is the negative of its response, so that
+samples with a positive response do not become features.
+
+A model is copy-constructible. Its functions are called from several threads at the same time, with the `FT` of the
+animation.
+
+\cgalHasModel `CGAL::Animated_mesh_features::Difference_of_gaussians_minima`
+*/
+class ExtremumSearch
+{
+public:
+  /// whether the sample in the middle of the window may be a minimum, by the responses at its own vertex. This test
+  /// sees all samples, and should reject nearly all of them.
+  template <class FT>
+  bool at_vertex(const CGAL::Animated_mesh_features::Response_window<FT>& window) const;
+
+  /*!
+  whether a sample that passed the first test still may be a minimum, by the responses at one of the neighbours of its
+  vertex, at the same scales. Called for one neighbour after the other, up to the first that objects.
+
+  \param centre the response at the sample.
+  \param before, same, behind the responses at the neighbour in the frame before, in the same frame, and in the frame
+    behind.
+  */
+  template <class FT>
+  bool at_neighbour(FT centre, FT before, FT same, FT behind) const;
+};

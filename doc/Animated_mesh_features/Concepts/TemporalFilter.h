@@ -1,0 +1,61 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesConcepts
+\cgalConcept
+
+The concept `TemporalFilter` describes the smoothing of a field over time, each vertex on its own, to a sequence of
+levels that are smoother and smoother.
+
+The smoothing is linear, and the same at all vertices: apart from smoothing rows, the library smooths unit impulses, and
+uses the matrix of the filter that results. Together with a `SpatialFilter`, which acts on frames, it then does not
+matter which of the two comes first.
+
+A model is copy-constructible.
+
+\cgalHasModel `CGAL::Animated_mesh_features::Gaussian_temporal_filter`
+\cgalHasModel `CGAL::Animated_mesh_features::Box_temporal_filter`
+
+\sa `SpatialFilter`
+\sa `ScaleSampling`
+*/
+class TemporalFilter
+{
+public:
+  /*!
+  prepares the levels, before any of them is asked for; may be called again, with other ones.
+
+  \param number_of_frames of each row.
+  \param frame_duration seconds.
+  \param variances for each level the variance \f$\tau^2\f$ of the smoothing, with respect to the row that is not
+    smoothed; ascending; squared seconds. A model need not attain them exactly.
+  */
+  void initialize(std::size_t number_of_frames, double frame_duration, const std::vector<double>& variances);
+
+  /// the variance that level `l` attains. Positive but for a level that is not smoothed, ascending.
+  double variance(std::size_t l) const;
+
+  /*!
+  makes level `l` of a row from level `l` - 1, or, for `l` = 0, from the row that is not smoothed. Called from several
+  threads at the same time, for any row and level.
+
+  \tparam FT the scalar of the animation.
+  \param in, out `number_of_frames` values each; they do not overlap.
+  */
+  template <class FT>
+  void operator()(std::size_t l, const FT* in, FT* out) const;
+
+  /// \name What Samplings Ask For
+  /// Needed only with a `ScaleSampling` that asks for it; may be called before `initialize()`.
+  /// @{
+
+  /// the variance that one step of smoothing adds, in squared seconds. Asked for by
+  /// `CGAL::Animated_mesh_features::Every_smoothing_count`, whose levels are multiples of it.
+  double unit_variance(std::size_t number_of_frames, double frame_duration) const;
+
+  /// @}
+};
