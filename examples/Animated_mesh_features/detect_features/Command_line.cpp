@@ -66,8 +66,9 @@ po::options_description described_options(Command_line& c, Text& t)
   add_method("balls", text(t.balls, "NAME"),
              "geodesic balls for the curvature: heat method on local patches (heat, default) or on the whole mesh "
              "(heat-global, slow), or paths along edges (dijkstra)");
-  add_method("ball-radius", text(t.ball_radius, "R"),
-             "length, or % of the diagonal (default: 2.5%, but at least 3 mean edge lengths)");
+  add_method(
+      "ball-radius", text(t.ball_radius, "R"),
+      "length, or % of the diagonal (default: 4.5 % of the diameter of the rest shape, at least 3 mean edge lengths)");
   add_method("alpha", text(t.alpha, "A"),
              "weight of the change of curvature against strain (default: 7); 0 leaves curvature out");
   add_method("spatial-filter", text(t.spatial_filter, "NAME"),
@@ -76,8 +77,8 @@ po::options_description described_options(Command_line& c, Text& t)
   add_method("box-width", text(t.box_width, "W"),
              "width of the temporal box in frames; preset published only (default: a sixth of the frames)");
   add_method("sigma-range", text(t.sigma_range, "MIN:MAX"),
-             "the spatial scales, as lengths or % of the diagonal; either may be left out (default: 1.2%:15%). Preset "
-             "calibrated only");
+             "the spatial scales, as lengths or % of the diagonal; either may be left out (default: 1.4 to 17.5 % of "
+             "the diameter of the rest shape). Preset calibrated only");
   add_method("tau-range", text(t.tau_range, "MIN:MAX"),
              "the temporal scales in seconds; either may be left out (default: from one frame to a sixth of the "
              "duration). Preset calibrated only");
