@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A visitor that shows how far the detection is, and cancels it after a while. A detector that was cancelled goes on where
+// it was.
+
+#include "generators/bending_cylinder.h"
+
+#include <CGAL/Animated_mesh_features/Feature_detector.h>
+#include <CGAL/Animated_mesh_features/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Visitor.h>
+#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <iostream>
+#include <iterator>
+#include <vector>
+
+namespace AMF = CGAL::Animated_mesh_features;
+typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
+typedef AMF::Frame_sequence<Mesh> Frame_sequence;
+typedef AMF::Feature_detector<Frame_sequence> Detector;
+
+// A dot for each tenth of a stage.
+struct Progress
+{
+  int patience; // calls
+  int dots = 0;
+
+  void begin(AMF::Stage stage)
+  {
+    std::cout << name(stage) << ' ' << std::flush;
+    dots = 0;
+  }
+  bool progress(AMF::Stage, double fraction)
+  {
+    for (; dots < int(10 * fraction); ++dots) std::cout << '.' << std::flush;
+    return --patience > 0; // a program with windows would look at its button here
+  }
+  void end(AMF::Stage) { std::cout << std::endl; }
+};
+
+int main()
+{
+  Animated_mesh_generators::Bending_cylinder_options options;
+  options.vertices_around = 18;
+  const auto cylinder = Animated_mesh_generators::bending_cylinder(options);
+  const Frame_sequence animation(cylinder.mesh, cylinder.frames, cylinder.frame_duration);
+
+  Detector detector(animation);
+  std::vector<Detector::Feature> features;
+  for (int patience : {300, 10000}) {
+    Progress progress = {patience};
+    try {
+      detector(std::back_inserter(features), progress);
+    } catch (const AMF::Cancelled& e) {
+      std::cout << e.what() << std::endl;
+    }
+  }
+  std::cout << features.size() << " features" << std::endl;
+  return features.empty() ? 1 : 0;
+}
