@@ -62,12 +62,12 @@ install_packages()
   apt_get_update && apt_get_install
 }
 
-# The number of compilers to run beside each other: one takes up to 2 GB for a program with CGAL's headers.
+# The number of compilers to run beside each other: one takes up to 2.5 GB for a program with CGAL's headers.
 job_count()
 {
   local cores memory
   cores=$(nproc 2> /dev/null || echo 1)
-  memory=$(awk '/^MemAvailable:/ { print int($2 / 2000000) }' /proc/meminfo 2> /dev/null)
+  memory=$(awk '/^MemAvailable:/ { print int($2 / 2500000) }' /proc/meminfo 2> /dev/null)
   memory=${memory:-$cores}
   [ "$memory" -ge 1 ] || memory=1
   echo $((cores < memory ? cores : memory))
