@@ -14,7 +14,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include "../../examples/Animated_mesh_features/generators/bending_cylinder.h"
+#include "generators/bending_cylinder.h"
 
 #include <cstdlib>
 #include <iomanip>

@@ -393,17 +393,17 @@ void test_clusters()
   Shape s = irregular_square(24, random, 0.35);
   s.points = mapped(s.points, [](const Vec& p) { return Vec(p[0], p[1], 0.1 * std::sin(8 * p[0] + 3 * p[1])); });
   const Rest_shape shape = rest_shape_of(s);
-  const auto options = [](std::size_t size, double reach) {
+  const auto options = [](std::size_t size, double margin) {
     Amf::Heat_method_geodesic_balls policy;
     policy.cluster_size = size;
-    policy.patch_reach = reach;
+    policy.patch_margin = margin;
     return policy;
   };
   const Balls usual = balls_of(shape, 0.15, Amf::Heat_method_geodesic_balls());
-  for (const auto& policy : {options(1, 2), options(128, 2), options(32, 4)}) {
+  for (const auto& policy : {options(1, 3), options(128, 3), options(64, 12)}) {
     const double common = against_balls(shape, usual, balls_of(shape, 0.15, policy)).edges_in_common();
-    std::cout << "clusters of " << policy.cluster_size << ", patches of " << policy.patch_reach
-              << " radii, against the default: edges in common " << common << std::endl;
+    std::cout << "clusters of " << policy.cluster_size << ", margins of " << policy.patch_margin
+              << " edges, against the default: edges in common " << common << std::endl;
     CHECK(common > 0.985);
   }
 }

@@ -58,8 +58,8 @@ inline std::vector<Rest_shape::Index> clamped_heat_ball(const Rest_shape& shape,
 
 Geodesic balls by \cgal's heat method on local patches; a model of `GeodesicBalls`, the default.
 
-Vertices are grouped in clusters of neighbours. The heat method is factored once on the patch that reaches
-`patch_reach` radii beyond a cluster, and solved for each vertex of the cluster; each distance is clamped to [Euclid,
+Vertices are grouped in clusters of neighbours. The heat method is factored once on the patch that reaches one radius and
+`patch_margin` mean edge lengths beyond a cluster, and solved for each vertex of the cluster; each distance is clamped to [Euclid,
 shortest path along edges]. Only one source is used at a time, as distances to several are wrong next to the border.
 Linear in the number of vertices.
 
@@ -69,11 +69,12 @@ ball: renumbering changes the strengths of features in the third digit. `Dijkstr
 struct Heat_method_geodesic_balls
 {
   /// vertices in a cluster. More share a factorisation, but solve on a larger patch.
-  std::size_t cluster_size = 32;
+  std::size_t cluster_size = 64;
 
-  /// how far a patch reaches beyond its cluster, in radii. From 2 on, what happens at the patch's rim no longer shows in
-  /// the balls.
-  double patch_reach = 2;
+  /// how far a patch reaches beyond the balls of its cluster, in mean edge lengths. The heat, which decays over one edge
+  /// length, is 5 % there of what it is at the balls' rim, and the distances are fitted to its directions without any condition
+  /// at the patch's rim.
+  double patch_margin = 3;
 
   /*!
   \returns for each vertex the vertices within `radius` of it, itself included, ascending.
@@ -90,7 +91,7 @@ struct Heat_method_geodesic_balls
       internal::Bounded_dijkstra& dijkstra =
           workspaces.get([&] { return std::make_unique<internal::Bounded_dijkstra>(shape); });
       std::vector<Rest_shape::Index> triangles;
-      for (Rest_shape::Index v : dijkstra.run(all[c], patch_reach * radius))
+      for (Rest_shape::Index v : dijkstra.run(all[c], radius + patch_margin * shape.mean_edge_length()))
         triangles.insert(triangles.end(), shape.incident_triangles()[v].begin(), shape.incident_triangles()[v].end());
       // by their vertices, as the order shows in the patch's sums
       std::sort(triangles.begin(), triangles.end(), [&](Rest_shape::Index s, Rest_shape::Index t) {
