@@ -19,16 +19,17 @@ namespace CGAL {
 /*!
 \ingroup PkgAnimatedMeshFeaturesRef
 
-detects the spatio-temporal feature points of an animated mesh: where, when, how large and how long its surface deforms in a
-distinctive way.
+detects the spatio-temporal feature points of an animated mesh: where, when, how large and how long its surface deforms
+in a distinctive way.
 
-From the positions follow the strain of the triangles and the change of curvature over geodesic balls, both with respect to the rest
-shape; together they are a deformation for each vertex and frame. Smoothed over the surface and over time by Gaussians of many
-widths, it becomes a scale space, of which the scale-normalised difference of Gaussians has a minimum wherever something of just that
-size and duration happens. The method starts from Mykhalchuk, Seo and Cordier, *On spatio-temporal feature point detection for
-animated meshes*, The Visual Computer, 2014.
+From the positions follow the strain of the triangles and the change of curvature over geodesic balls, both with respect
+to the rest shape; together they are a deformation for each vertex and frame. Smoothed over the surface and over time by
+Gaussians of many widths, it becomes a scale space, of which the scale-normalised difference of Gaussians has a minimum
+wherever something of just that size and duration happens. The method starts from Mykhalchuk, Seo and Cordier, *On
+spatio-temporal feature point detection for animated meshes*, The Visual Computer, 2014.
 
-\tparam ConcurrencyTag `CGAL::Parallel_if_available_tag` (with oneTBB) or `CGAL::Sequential_tag`. The result is the same, bit for bit.
+\tparam ConcurrencyTag `CGAL::Parallel_if_available_tag` (with oneTBB) or `CGAL::Sequential_tag`. The result is the
+same, bit for bit.
 \tparam Animation a model of `MeshAnimation`, for instance `Frame_sequence`.
 \tparam OutputIterator an output iterator of `Spatio_temporal_feature<vertex_descriptor>`.
 \tparam Options a `Detection_options`.

@@ -251,7 +251,9 @@ int main()
   // on the outer equator, where the metric is symmetric; distances by the torus' own coordinates there
   const double large = 3, small = 1;
   const Mesh ring_surface = torus(60, 208, large, small);
-  const auto on_torus = [&](double a) { return Point((large + small) * std::cos(a), (large + small) * std::sin(a), 0); };
+  const auto on_torus = [&](double a) {
+    return Point((large + small) * std::cos(a), (large + small) * std::sin(a), 0);
+  };
   const Distance near_equator = [&](const Point& p, const Point& q) {
     const auto coordinates = [&](const Point& x) {
       return std::make_pair(std::atan2(x.y(), x.x()), std::atan2(x.z(), std::hypot(x.x(), x.y()) - large));
@@ -278,7 +280,8 @@ int main()
   check("8-fold density, one-ring", square, on_square, euclid, scales(ring, 0.06, 0.3), {0.06, 0.12, 0.3, 0.05});
 
   // A blob of amplitude A with the scales of the response's units: smoothed to (s, u), its centre is
-  // A s0 / (s0 + s) sqrt(u0 / (u0 + u)); the differences of that between the levels sqrt(2) and cbrt(2) away give 0.515 A.
+  // A s0 / (s0 + s) sqrt(u0 / (u0 + u)); the differences of that between the levels sqrt(2) and cbrt(2) away give 0.515
+  // A.
   auto options = scales(Amf::calibrated_options(), 0.06, 0.3);
   const double sigma = std::sqrt(0.06 * 0.3), tau = std::sqrt(0.04 * 0.3);
   const Sequence sequence = resting(ball);

@@ -60,8 +60,8 @@ struct Density_error
   double mean, largest;
 };
 
-// |mean of H R - 1| and the largest |H R - 1| (cylinder: 2 H R) over the vertices for which `counts` says so. The frames have
-// radii 1/2, 1, 2 times that of the rest shape, on which the balls are.
+// |mean of H R - 1| and the largest |H R - 1| (cylinder: 2 H R) over the vertices for which `counts` says so. The
+// frames have radii 1/2, 1, 2 times that of the rest shape, on which the balls are.
 template <class Counts>
 Density_error density_error(const Shape& s, double radius, double curvature_of_unit, const Counts& counts)
 {

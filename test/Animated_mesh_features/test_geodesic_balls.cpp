@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Geodesic balls against exact geodesics, local heat balls against those of the whole mesh, Dijkstra against a brute force.
+// Geodesic balls against exact geodesics, local heat balls against those of the whole mesh, Dijkstra against a brute
+// force.
 
 #include "test_shapes.h"
 
@@ -82,8 +83,8 @@ std::vector<double> path_lengths(const Rest_shape& shape, Index source)
   return length;
 }
 
-// Exact geodesic distances from a vertex to all those within `reach` of it along edges, on the part of the surface that they
-// span.
+// Exact geodesic distances from a vertex to all those within `reach` of it along edges, on the part of the surface that
+// they span.
 class Exact_geodesics
 {
   typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
@@ -176,8 +177,8 @@ struct Comparison
   }
 };
 
-// What holds of every ball: it is sorted and has its centre; whatever shortest paths along edges reach is inside, whatever is
-// farther in space than the radius is outside.
+// What holds of every ball: it is sorted and has its centre; whatever shortest paths along edges reach is inside,
+// whatever is farther in space than the radius is outside.
 void check_invariants(const Rest_shape& shape, const Balls& balls, const Balls& dijkstra, double radius)
 {
   std::size_t bad = 0, checked = 0;
@@ -231,8 +232,8 @@ struct Bounds
   double both_edges;               // local against whole mesh
 };
 
-// `sources`: exact geodesics are computed for every so many vertices; `step`: which share of clusters and of vertices get
-// heat balls.
+// `sources`: exact geodesics are computed for every so many vertices; `step`: which share of clusters and of vertices
+// get heat balls.
 void compare(const std::string& name, const Rest_shape& shape, double radius, const Bounds& bounds, std::size_t sources,
              std::size_t local_step = 1, std::size_t global_step = 1)
 {
@@ -271,8 +272,8 @@ void test_known_surfaces()
     return Vec(x, p[1], 0.1 * std::sin(9 * x) * std::cos(7 * p[1]));
   });
   compare("graded waves with border", rest_shape_of(graded), 0.12, {0.975, 0.1, 0.97, 0.1, 0.985}, 20);
-  // a sheet folded upon itself: the two halves are nearer to each other than the radius. Few triangles make the bend, across
-  // which the heat method is up to 19 % off.
+  // a sheet folded upon itself: the two halves are nearer to each other than the radius. Few triangles make the bend,
+  // across which the heat method is up to 19 % off.
   Shape hairpin = irregular_square(40, random);
   hairpin.points = mapped(hairpin.points, [](const Vec& p) {
     const double straight = 0.46, bend = 1 - 2 * straight, r = bend / pi;

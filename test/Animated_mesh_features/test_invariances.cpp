@@ -4,9 +4,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What must not change the features: how the body lies in space, its unit, the numbering of its vertices, the orientation of
-// its triangles, when the motion begins, how finely it is sampled. And where they are: at the joints of the bending cylinder,
-// when these bend.
+// What must not change the features: how the body lies in space, its unit, the numbering of its vertices, the
+// orientation of its triangles, when the motion begins, how finely it is sampled. And where they are: at the joints of
+// the bending cylinder, when these bend.
 
 #include <CGAL/Animated_mesh_features/Dijkstra_geodesic_balls.h>
 #include <CGAL/detect_spatio_temporal_features.h>
@@ -63,7 +63,8 @@ struct Expected
   std::function<std::size_t(std::size_t)> vertex = [](std::size_t v) { return v; };
 };
 
-// Equal up to rounding. The order of features of equal strength - the cylinder is symmetric - is free, hence the matching.
+// Equal up to rounding. The order of features of equal strength - the cylinder is symmetric - is free, hence the
+// matching.
 void compare(const std::string& name, const std::vector<Feature>& before, const std::vector<Feature>& after,
              const Expected& expected, double tolerance)
 {
@@ -72,8 +73,8 @@ void compare(const std::string& name, const std::vector<Feature>& before, const 
     matched += std::any_of(after.begin(), after.end(), [&](const Feature& g) {
       return g.vertex_index == expected.vertex(f.vertex_index) &&
              std::abs(g.time - f.time - expected.time_shift) <= tolerance * f.tau &&
-             std::abs(g.sigma / (f.sigma * expected.length) - 1) <= tolerance && std::abs(g.tau / f.tau - 1) <= tolerance &&
-             std::abs(g.strength() / f.strength() - 1) <= tolerance;
+             std::abs(g.sigma / (f.sigma * expected.length) - 1) <= tolerance &&
+             std::abs(g.tau / f.tau - 1) <= tolerance && std::abs(g.strength() / f.strength() - 1) <= tolerance;
     });
   std::cout << name << ": " << before.size() << " features, " << after.size() << " after, " << matched << " equal"
             << std::endl;
@@ -92,8 +93,8 @@ Animation cylinder(std::size_t around, double frame_rate)
   return {g.mesh, g.frames, g.frame_duration};
 }
 
-// The cylinder is symmetric about the plane in which it bends, and periodic around: strengths tie up to rounding. A dent
-// that turns with the frames would be no longer the same motion; a shear of the rest shape is.
+// The cylinder is symmetric about the plane in which it bends, and periodic around: strengths tie up to rounding. A
+// dent that turns with the frames would be no longer the same motion; a shear of the rest shape is.
 Animation without_symmetry(Animation a)
 {
   const auto shear = [](const Point& p) {
@@ -119,8 +120,8 @@ void check_invariances(const std::string& name, const Animation& a, const Option
   const std::vector<Feature> features = detect(a, options);
 
   // A rotation by an orthogonal matrix of rational numbers, and a shift.
-  const CGAL::Aff_transformation_3<Kernel> rigid(2. / 3, -1. / 3, 2. / 3, 3, 2. / 3, 2. / 3, -1. / 3, -2, -1. / 3, 2. / 3,
-                                                2. / 3, 1);
+  const CGAL::Aff_transformation_3<Kernel> rigid(2. / 3, -1. / 3, 2. / 3, 3, 2. / 3, 2. / 3, -1. / 3, -2, -1. / 3,
+                                                 2. / 3, 2. / 3, 1);
   compare(name + ", rigid motion", features, detect(transformed(a, rigid), options), Expected(), tolerance);
 
   Expected scaled;
@@ -195,8 +196,8 @@ int main()
       CHECK(strongest != found.end());
       if (strongest == found.end()) continue;
       std::cout << "joint at " << joint.axial_position << ", " << joint.centre_time << " s: found at "
-                << strongest->rest_position[2] << ", " << strongest->time << " s, sigma " << strongest->sigma << ", tau "
-                << strongest->tau << " (bend " << joint.temporal_deviation() << ")" << std::endl;
+                << strongest->rest_position[2] << ", " << strongest->time << " s, sigma " << strongest->sigma
+                << ", tau " << strongest->tau << " (bend " << joint.temporal_deviation() << ")" << std::endl;
       // strain is even in the angle and grows with it: the event is as long as the bend
       CHECK_NEAR(std::log(strongest->tau / joint.temporal_deviation()), 0, std::log(1.5));
     }

@@ -75,9 +75,10 @@ double distance(const std::array<double, 3>& p, const std::array<double, 3>& q)
   return std::sqrt((p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]) + (p[2] - q[2]) * (p[2] - q[2]));
 }
 
-// The share of the strongest 50 features of a that b has among its strongest 150: at the same place on the common rest shape, at
-// the same time, and, for the second number, at scales within a factor of 1.5.
-std::pair<double, double> repeated(const std::vector<Feature>& a, const std::vector<Feature>& b, double place, double time)
+// The share of the strongest 50 features of a that b has among its strongest 150: at the same place on the common rest
+// shape, at the same time, and, for the second number, at scales within a factor of 1.5.
+std::pair<double, double> repeated(const std::vector<Feature>& a, const std::vector<Feature>& b, double place,
+                                   double time)
 {
   const std::size_t top = (std::min)(a.size(), std::size_t(50)), among = (std::min)(b.size(), std::size_t(150));
   const auto alike = [](double x, double y) { return x <= 1.5 * y && y <= 1.5 * x; };
@@ -99,8 +100,8 @@ void compare(const std::string& name, const std::vector<Feature>& a, const std::
              double time, double least, double least_with_scales)
 {
   const auto ab = repeated(a, b, place, time), ba = repeated(b, a, place, time);
-  std::cout << name << ": " << a.size() << " and " << b.size() << " features, repeated " << ab.first << " / " << ba.first
-            << ", with scales " << ab.second << " / " << ba.second << std::endl;
+  std::cout << name << ": " << a.size() << " and " << b.size() << " features, repeated " << ab.first << " / "
+            << ba.first << ", with scales " << ab.second << " / " << ba.second << std::endl;
   CHECK((std::min)(ab.first, ba.first) >= least);
   CHECK((std::min)(ab.second, ba.second) >= least_with_scales);
 }
@@ -158,7 +159,8 @@ int main()
   const double duration = double(cow.sequence->number_of_frames()) / 30;
   for (std::size_t i = 0; i < cow_features.size(); ++i) {
     const Feature& f = cow_features[i];
-    CHECK(std::isfinite(f.strength()) && f.strength() > 0 && (i == 0 || f.strength() <= cow_features[i - 1].strength()));
+    CHECK(std::isfinite(f.strength()) && f.strength() > 0 &&
+          (i == 0 || f.strength() <= cow_features[i - 1].strength()));
     CHECK(f.time > 0 && f.time < duration && f.sigma > 0 && std::isfinite(f.sigma) && f.tau > 0 && f.tau < duration);
     const double sum = f.barycentric_coordinates[0] + f.barycentric_coordinates[1] + f.barycentric_coordinates[2];
     CHECK_NEAR(sum, 1, 1e-12);

@@ -18,8 +18,8 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesFilters
 
-What a box average takes for the frames before the first and behind the last one. (Never zero: the field is not zero there, and
-the false step at the ends makes several times as many spurious extrema as there are true ones.)
+What a box average takes for the frames before the first and behind the last one. (Never zero: the field is not zero
+there, and the false step at the ends makes several times as many spurious extrema as there are true ones.)
 */
 enum class Row_ends
 {
@@ -33,8 +33,9 @@ enum class Row_ends
 
 Smoothing in time by repeated box averages; a model of `TemporalFilter`.
 
-With a given width w, a level is a number of passes of that box, each of which adds the variance \f$(w^2-1)/12\f$ frames².
-An even box has no middle frame; it is taken as w + 1 frames of which the first and the last count half, with variance
+With a given width w, a level is a number of passes of that box, each of which adds the variance \f$(w^2-1)/12\f$
+frames². An even box has no middle frame; it is taken as w + 1 frames of which the first and the last count half, with
+variance
 \f$(w^2+2)/12\f$.
 
 With width 0, each level is `passes` passes of an extended box (Gwosdek et al. 2011), whose two end frames have a weight
@@ -92,7 +93,8 @@ public:
   /// the variance attained at level `l`.
   double variance(std::size_t l) const { return m_steps[l].variance; }
 
-  /// smooths a row of frames from level `l` - 1 (the unsmoothed row for `l` = 0) to level `l`; `in` and `out` do not overlap.
+  /// smooths a row of frames from level `l` - 1 (the unsmoothed row for `l` = 0) to level `l`; `in` and `out` do not
+  /// overlap.
   template <class FT>
   void operator()(std::size_t l, const FT* in, FT* out) const
   {

@@ -40,8 +40,8 @@ struct Feature_selection
   /// the least strength, absolute. The stricter of the two thresholds decides.
   double absolute_threshold = 0;
 
-  /// whether to drop what lies within max(sigma) on the surface and max(tau) in time of a stronger feature, if sigma and tau
-  /// of the two are each within a factor of 1.5.
+  /// whether to drop what lies within max(sigma) on the surface and max(tau) in time of a stronger feature, if sigma
+  /// and tau of the two are each within a factor of 1.5.
   bool suppress_non_maxima = true;
 
   /// whether features may lie on the border of the mesh, where the smoothing knows only one side.
@@ -51,9 +51,9 @@ struct Feature_selection
 /*!
 \ingroup PkgAnimatedMeshFeaturesRef
 
-Everything that a detection can be told: a policy for each step, and numbers. The function `calibrated_options()` returns the
-defaults, `published_options()` the paper's choices; `with_...()` returns the same options with one policy replaced by another,
-which may be of the user's own class.
+Everything that a detection can be told: a policy for each step, and numbers. The function `calibrated_options()`
+returns the defaults, `published_options()` the paper's choices; `with_...()` returns the same options with one policy
+replaced by another, which may be of the user's own class.
 */
 template <class StrainMeasure_,
           class CurvatureMeasure_,
@@ -181,19 +181,20 @@ typedef Detection_options<Largest_eigenvalue_strain,
 /*!
 \ingroup PkgAnimatedMeshFeaturesRef
 
-The default: measures that see compression and converge under refinement, filters of known variance, scales in units that do not
-depend on the sampling, thresholds and suppression.
+The default: measures that see compression and converge under refinement, filters of known variance, scales in units
+that do not depend on the sampling, thresholds and suppression.
 */
 inline Calibrated_options calibrated_options() { return Calibrated_options(); }
 
 /*!
 \ingroup PkgAnimatedMeshFeaturesRef
 
-The method in the words of Mykhalchuk, Seo and Cordier (2014), for comparison: largest eigenvalue of the Cauchy-Green tensor,
-plain mean over triangles, mean of dihedral angles, every smoothing count of one-ring averages and box averages, forward differences, no
-suppression. Lengths in Eq. (7) need a unit, see `Every_smoothing_count`.
+The method in the words of Mykhalchuk, Seo and Cordier (2014), for comparison: largest eigenvalue of the Cauchy-Green
+tensor, plain mean over triangles, mean of dihedral angles, every smoothing count of one-ring averages and box averages,
+forward differences, no suppression. Lengths in Eq. (7) need a unit, see `Every_smoothing_count`.
 
-\param box_width width of the temporal box in frames; the paper's Table 1 has 5 to 20, for a sixth to a tenth of the frames.
+\param box_width width of the temporal box in frames; the paper's Table 1 has 5 to 20, for a sixth to a tenth of the
+frames.
 \sa `published_box_width()`
 */
 inline Published_options published_options(std::size_t box_width)

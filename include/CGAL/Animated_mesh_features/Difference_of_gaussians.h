@@ -27,8 +27,8 @@ with p = `above` and q = `below`. They are negative at the centre of a bright bl
 */
 
 /*!
-Central differences of logarithmic scales, the default: with \f$\hat s = s/\sigma_u^2\f$ and \f$\hat u = u/\tau_u^2\f$ in the
-units of the sampling,
+Central differences of logarithmic scales, the default: with \f$\hat s = s/\sigma_u^2\f$ and \f$\hat u = u/\tau_u^2\f$
+in the units of the sampling,
 \f[ D = \hat u^{1/4}\,\frac{L_{k+1,l} - L_{k-1,l}}{\ln(\sigma_{k+1}/\sigma_{k-1})} +
         \hat s^{1/2} \hat u^{-1/4}\,\frac{L_{k,l+1} - L_{k,l-1}}{\ln(\tau_{l+1}/\tau_{l-1})} . \f]
 Both terms peak at the scales of a Gaussian blob; one of amplitude A with the scales of the units gives D = -0.53 A
@@ -67,7 +67,8 @@ private:
 
 /*!
 The paper's forward differences of smoothing counts,
-\f$D = \sigma^2\tau^{1/2} (L_{k+1,l} - L_{k,l}) + \sigma\tau^{3/2} (L_{k,l+1} - L_{k,l})\f$, in the units of the sampling.
+\f$D = \sigma^2\tau^{1/2} (L_{k+1,l} - L_{k,l}) + \sigma\tau^{3/2} (L_{k,l+1} - L_{k,l})\f$, in the units of the
+sampling.
 */
 class Forward_difference_of_gaussians
 {

@@ -44,9 +44,9 @@ private:
 
 Strict local minima of a negative response; a model of `ExtremumSearch`.
 
-A sample is a minimum if it is below zero, below the samples of its vertex in the frame before and the frame behind it, below the
-same sample at the 8 neighbouring scales, and below every sample of the one-ring in those three frames at its own scale. Equal
-samples are no minima, so that a flat region has none.
+A sample is a minimum if it is below zero, below the samples of its vertex in the frame before and the frame behind it,
+below the same sample at the 8 neighbouring scales, and below every sample of the one-ring in those three frames at its
+own scale. Equal samples are no minima, so that a flat region has none.
 */
 struct Difference_of_gaussians_minima
 {
@@ -62,7 +62,8 @@ struct Difference_of_gaussians_minima
     return true;
   }
 
-  /// whether it still may, given the responses at one neighbour in the frame before, the same frame and the frame behind.
+  /// whether it still may, given the responses at one neighbour in the frame before, the same frame and the frame
+  /// behind.
   template <class FT>
   bool at_neighbour(FT centre, FT before, FT same, FT behind) const
   {

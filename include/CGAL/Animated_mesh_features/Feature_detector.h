@@ -35,8 +35,8 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesRef
 
-The detector for repeated use. What was computed is kept: the geodesic balls, the three fields, and all minima of the response with
-their refined places. Asking again with another threshold costs next to nothing.
+The detector for repeated use. What was computed is kept: the geodesic balls, the three fields, and all minima of the
+response with their refined places. Asking again with another threshold costs next to nothing.
 
 \tparam Animation a model of `MeshAnimation`. It is kept by reference.
 \tparam Options a `Detection_options`.
@@ -114,7 +114,8 @@ public:
   const Field& curvature_change() { return curvature_change(m_default_visitor); }
   const Field& deformation() { return deformation(m_default_visitor); }
 
-  /// takes a field of the user's own, `N x F`, in place of the deformation: temperature, muscle activity, error of a simulation.
+  /// takes a field of the user's own, `N x F`, in place of the deformation: temperature, muscle activity, error of a
+  /// simulation.
   /// \throw Option_error if its shape is another; Input_error if a value is not finite.
   void set_deformation(Field field)
   {

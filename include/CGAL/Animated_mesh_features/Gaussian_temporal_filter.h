@@ -25,8 +25,8 @@ namespace Animated_mesh_features {
 Smoothing in time by the discrete Gaussian with reflecting ends; a model of `TemporalFilter`, the default.
 
 The semigroup of the discrete heat equation: in the basis of the DCT-II, which continues a row by its mirror image, the
-factors are \f$e^{u(\cos(\pi j/F) - 1)}\f$ for the variance u in squared frames (Lindeberg 1990). Variances add exactly, the
-mean is kept exactly, and no new extrema appear, whatever the step. A level costs F times the width of its kernel.
+factors are \f$e^{u(\cos(\pi j/F) - 1)}\f$ for the variance u in squared frames (Lindeberg 1990). Variances add exactly,
+the mean is kept exactly, and no new extrema appear, whatever the step. A level costs F times the width of its kernel.
 */
 class Gaussian_temporal_filter
 {
@@ -52,7 +52,8 @@ public:
   /// the variance of level `l`, exactly the one that was asked for.
   double variance(std::size_t l) const { return m_variances[l]; }
 
-  /// smooths a row of frames from level `l` - 1 (the unsmoothed row for `l` = 0) to level `l`; `in` and `out` do not overlap.
+  /// smooths a row of frames from level `l` - 1 (the unsmoothed row for `l` = 0) to level `l`; `in` and `out` do not
+  /// overlap.
   template <class FT>
   void operator()(std::size_t l, const FT* in, FT* out) const
   {
@@ -74,7 +75,8 @@ public:
     Eigen::Map<Row> sum(out, n);
     sum = FT(k[0]) * Eigen::Map<const Row>(row, n);
     std::ptrdiff_t m = 1;
-    for (; m + 1 <= reach; m += 2) sum += pair(m) + pair(m + 1); // two at a time: half of the loads and stores of the sum
+    // two at a time: half of the loads and stores of the sum
+    for (; m + 1 <= reach; m += 2) sum += pair(m) + pair(m + 1);
     if (m <= reach) sum += pair(m);
   }
 

@@ -58,22 +58,23 @@ inline std::vector<Rest_shape::Index> clamped_heat_ball(const Rest_shape& shape,
 
 Geodesic balls by \cgal's heat method on local patches; a model of `GeodesicBalls`, the default.
 
-Vertices are grouped in clusters of neighbours. The heat method is factored once on the patch that reaches one radius and
-`patch_margin` mean edge lengths beyond a cluster, and solved for each vertex of the cluster; each distance is clamped to [Euclid,
-shortest path along edges]. Only one source is used at a time, as distances to several are wrong next to the border.
-Linear in the number of vertices.
+Vertices are grouped in clusters of neighbours. The heat method is factored once on the patch that reaches one radius
+and `patch_margin` mean edge lengths beyond a cluster, and solved for each vertex of the cluster; each distance is
+clamped to [Euclid, shortest path along edges]. Only one source is used at a time, as distances to several are wrong
+next to the border. Linear in the number of vertices.
 
-The clusters depend on the numbering of the vertices, and with them, by some 10^-3 of the radius, the distances at the rim of a
-ball: renumbering changes the strengths of features in the third digit. `Dijkstra_geodesic_balls` do not depend on it.
+The clusters depend on the numbering of the vertices, and with them, by some 10^-3 of the radius, the distances at the
+rim of a ball: renumbering changes the strengths of features in the third digit. `Dijkstra_geodesic_balls` do not depend
+on it.
 */
 struct Heat_method_geodesic_balls
 {
   /// vertices in a cluster. More share a factorisation, but solve on a larger patch.
   std::size_t cluster_size = 64;
 
-  /// how far a patch reaches beyond the balls of its cluster, in mean edge lengths. The heat, which decays over one edge
-  /// length, is 5 % there of what it is at the balls' rim, and the distances are fitted to its directions without any condition
-  /// at the patch's rim.
+  /// how far a patch reaches beyond the balls of its cluster, in mean edge lengths. The heat, which decays over one
+  /// edge length, is 5 % there of what it is at the balls' rim, and the distances are fitted to its directions without
+  /// any condition at the patch's rim.
   double patch_margin = 3;
 
   /*!

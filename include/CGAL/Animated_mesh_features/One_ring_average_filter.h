@@ -26,8 +26,8 @@ namespace Animated_mesh_features {
 Smoothing by repeated averages over the closed one-ring, a vertex and its neighbours with equal weights; a model of
 `SpatialFilter`.
 
-One average adds the variance \f$\Delta(v) = \frac12\,\mathrm{mean}\,|x_j - x_v|^2\f$ per axis, the mean being over the closed
-ring: \f$3h^2/7\f$ on a regular triangulation of edge length h. Where the sampling varies, so does the scale:
+One average adds the variance \f$\Delta(v) = \frac12\,\mathrm{mean}\,|x_j - x_v|^2\f$ per axis, the mean being over the
+closed ring: \f$3h^2/7\f$ on a regular triangulation of edge length h. Where the sampling varies, so does the scale:
 \f$s_n(v) = \sum_{j<n} (P^j \Delta)(v)\f$ for the averaging operator P, which `variance(k, v)` returns.
 
 A pass costs one addition for each pair of neighbours and frame. A level of standard deviation \f$\sigma\f$ takes some

@@ -33,7 +33,8 @@ namespace Animated_mesh_features {
 
 namespace internal {
 
-// Within `Rest_shape`, whose own edges() hides the graph's, and without a namespace, as that of the graph may be another.
+// Within `Rest_shape`, whose own edges() hides the graph's, and without a namespace, as that of the graph may be
+// another.
 template <class TriangleMesh>
 auto edges_of(const TriangleMesh& mesh)
 {
@@ -129,9 +130,9 @@ public:
   double mean_edge_length() const { return m_mean_edge_length; }
   double bounding_box_diagonal() const { return m_diagonal; }
 
-  /// the diameter of the smallest enclosing sphere: the size of the shape that default lengths are fractions of. Other than the
-  /// diagonal of the axis-parallel bounding box, which it equals for a box and else is 85 to 95 % of, it does not change
-  /// when the shape is turned.
+  /// the diameter of the smallest enclosing sphere: the size of the shape that default lengths are fractions of. Other
+  /// than the diagonal of the axis-parallel bounding box, which it equals for a box and else is 85 to 95 % of, it does
+  /// not change when the shape is turned.
   double diameter() const { return m_diameter; }
 
   void set_points(std::vector<Point> points)

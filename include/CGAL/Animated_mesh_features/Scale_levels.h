@@ -28,7 +28,8 @@ struct Scale_levels
   /// the variance \f$u = \tau^2\f$ of each time level, ascending; squared seconds.
   std::vector<double> time_variances;
 
-  /// the reported \f$\sigma\f$ over the standard deviation of the spatial filter; 1 unless a method names its scales otherwise.
+  /// the reported \f$\sigma\f$ over the standard deviation of the spatial filter; 1 unless a method names its scales
+  /// otherwise.
   double sigma_factor = 1;
 
   /// likewise for \f$\tau\f$.

@@ -34,21 +34,23 @@ struct Scale_range
 /*!
 \ingroup PkgAnimatedMeshFeaturesScaleSpace
 
-Levels at a fixed ratio, in units that do not depend on how surface and motion are sampled; a model of `ScaleSampling`, the
-default.
+Levels at a fixed ratio, in units that do not depend on how surface and motion are sampled; a model of `ScaleSampling`,
+the default.
 
-Between `min` and `max` of a range lie \f$\mathrm{round}(\log_\rho(\max/\min)) + 1\f$ levels of ratio \f$\rho\f$ at which features are found; the response is
-computed at one level more on either side, and needs yet another one for its differences. The response measures \f$\sigma\f$ and
+Between `min` and `max` of a range lie \f$\mathrm{round}(\log_\rho(\max/\min)) + 1\f$ levels of ratio \f$\rho\f$ at
+which features are found; the response is computed at one level more on either side, and needs yet another one for its
+differences. The response measures \f$\sigma\f$ and
 \f$\tau\f$ in units of the geometric means of the ranges.
 */
 struct Fixed_ratio_sampling
 {
-  /// the ratio of the levels in \f$\sigma\f$. At \f$\sqrt2\f$ the error of interpolated scales is below 3 %, at 2 5.5 %.
+  /// the ratio of the levels in \f$\sigma\f$. At \f$\sqrt2\f$ the error of interpolated scales is below 3 %, at 2 5.5
+  /// %.
   double sigma_ratio = std::sqrt(2.);
 
-  /// the ratio of the levels in \f$\tau\f$, closer than in \f$\sigma\f$: the strongest events last one or two frames, where
-  /// the response falls off within few levels, and a level in time costs little. Features of the same motion at another frame
-  /// rate are found again more often, by up to 8 % of the strongest 50, than at \f$\sqrt2\f$.
+  /// the ratio of the levels in \f$\tau\f$, closer than in \f$\sigma\f$: the strongest events last one or two frames,
+  /// where the response falls off within few levels, and a level in time costs little. Features of the same motion at
+  /// another frame rate are found again more often, by up to 8 % of the strongest 50, than at \f$\sqrt2\f$.
   double tau_ratio = std::cbrt(2.);
 
   /// the range of \f$\sigma\f$ (length); by default 1.4 % to 17.5 % of the diameter of the rest shape.
@@ -69,7 +71,8 @@ struct Fixed_ratio_sampling
     const Scale_range s = completed(sigma, 0.014 * shape.diameter(), 0.175 * shape.diameter());
     const Scale_range t = completed(tau, frame_duration, (std::max)(duration / 6, frame_duration));
     Scale_levels levels;
-    // The smallest level, two below the first at which features are found, must have a variance that the filter can make.
+    // The smallest level, two below the first at which features are found, must have a variance that the filter can
+    // make.
     const double finest = sigma_ratio * sigma_ratio * std::sqrt(spatial.smallest_variance(shape));
     levels.space_variances = variances(s, sigma_ratio, finest, "sigma", "edge length of the mesh");
     levels.time_variances = variances(t, tau_ratio, 0, "tau", "time between frames");
@@ -86,8 +89,8 @@ private:
     return r;
   }
 
-  // Levels below what can be resolved are left out, the others stay where they are: twins of different sampling have the
-  // same levels.
+  // Levels below what can be resolved are left out, the others stay where they are: twins of different sampling have
+  // the same levels.
   static std::vector<double>
   variances(const Scale_range& range, double ratio, double finest, const char* name, const char* limit)
   {
@@ -102,8 +105,8 @@ private:
         finest > range.min ? long(std::ceil(std::log(finest / range.min) / std::log(ratio) - 1e-9)) : 0;
     if (first > last) {
       std::ostringstream message;
-      message << "the range of " << name << " up to " << range.max << " lies below " << finest << ", which the " << limit
-              << " can resolve";
+      message << "the range of " << name << " up to " << range.max << " lies below " << finest << ", which the "
+              << limit << " can resolve";
       throw Option_error(message.str());
     }
     std::vector<double> result;
@@ -121,16 +124,16 @@ private:
 Every smoothing count, with the paper's names for the scales; a model of `ScaleSampling`.
 
 Level (k, l) is k passes of the spatial and l passes of the temporal filter, for all k up to
-\f$K = \lfloor 6\, r_s^2/h^2 \rfloor\f$ and l up to \f$L = \lfloor 6\, r_t^2/w^2 \rfloor\f$ (Eqs. 9 and 10), where \f$r_s\f$ is
-3 % of the bounding-box diagonal, \f$r_t\f$ half of the duration, h the mean edge length and w the width of the box. This
-reproduces the counts in time of the paper's Table 1: 54 (F = 48, w = 8), 113 (139, 16), 107 (169, 20), 94 (159, 20),
-57 (99, 16), 150 (100, 10), 114 (70, 8). (The table's 100 for the cylinder with F = 40 fits w = 5 with w² - 1 in the
-denominator only.) In space it gives 78 for the first frame of the horse's gallop, for which the table has 77.
+\f$K = \lfloor 6\, r_s^2/h^2 \rfloor\f$ and l up to \f$L = \lfloor 6\, r_t^2/w^2 \rfloor\f$ (Eqs. 9 and 10), where
+\f$r_s\f$ is 3 % of the bounding-box diagonal, \f$r_t\f$ half of the duration, h the mean edge length and w the width of
+the box. This reproduces the counts in time of the paper's Table 1: 54 (F = 48, w = 8), 113 (139, 16), 107 (169, 20), 94
+(159, 20), 57 (99, 16), 150 (100, 10), 114 (70, 8). (The table's 100 for the cylinder with F = 40 fits w = 5 with w² - 1
+in the denominator only.) In space it gives 78 for the first frame of the horse's gallop, for which the table has 77.
 
-A scale is named by Eq. (7), \f$\sigma = \sqrt{k (h^2 - 1)/12}\f$, in which h counts samples but the paper puts the length of an
-edge in the unit of the mesh. That is imaginary for h < 1. This class therefore measures lengths in a unit of which the mean
-edge has `edge_length_in_units`; the \f$\sigma\f$ that results is 0.42 of the standard deviation that the averages really have
-on a regular mesh. Times are measured in frames.
+A scale is named by Eq. (7), \f$\sigma = \sqrt{k (h^2 - 1)/12}\f$, in which h counts samples but the paper puts the
+length of an edge in the unit of the mesh. That is imaginary for h < 1. This class therefore measures lengths in a unit
+of which the mean edge has `edge_length_in_units`; the \f$\sigma\f$ that results is 0.42 of the standard deviation that
+the averages really have on a regular mesh. Times are measured in frames.
 */
 struct Every_smoothing_count
 {
@@ -149,7 +152,8 @@ struct Every_smoothing_count
 
   static std::size_t largest_count(double radius_over_width)
   {
-    // the largest blob's radius is sqrt(2) sigma, and n boxes of width w have sigma^2 = n w^2 / 12 (without Eq. (7)'s -1)
+    // the largest blob's radius is sqrt(2) sigma, and n boxes of width w have sigma^2 = n w^2 / 12 (without Eq. (7)'s
+    // -1)
     return std::size_t(std::floor(6 * radius_over_width * radius_over_width * (1 + 1e-12)));
   }
 
@@ -168,7 +172,8 @@ struct Every_smoothing_count
         box_width > 0 ? double(box_width) : std::sqrt(12 * time_unit / (frame_duration * frame_duration) + 1);
     const std::size_t space_count =
         max_space_count > 0 ? max_space_count : largest_count(radius_over_diagonal * shape.bounding_box_diagonal() / h);
-    const std::size_t time_count = max_time_count > 0 ? max_time_count : largest_count(double(number_of_frames) / 2 / width);
+    const std::size_t time_count =
+        max_time_count > 0 ? max_time_count : largest_count(double(number_of_frames) / 2 / width);
     if (space_count < 3 || time_count < 3)
       throw Option_error("there are " + std::to_string(space_count) + " smoothing counts in space and " +
                          std::to_string(time_count) +

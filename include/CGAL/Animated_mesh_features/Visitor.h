@@ -52,8 +52,8 @@ draw or look at a user interface without locking.
 struct Default_visitor
 {
   /// called when a stage begins. `SCALE_SPACE` begins a first time while its filter is prepared; then `SCALE_SPACE` and
-  /// `EXTREMA` begin and end alternately, once for each batch of space levels, and their fractions go on growing. The other
-  /// stages begin once.
+  /// `EXTREMA` begin and end alternately, once for each batch of space levels, and their fractions go on growing. The
+  /// other stages begin once.
   void begin(Stage) {}
 
   /*!

@@ -28,8 +28,9 @@ namespace Animated_mesh_features {
 the default radius of the geodesic balls (length): 4.5 % of the diameter of the rest shape, but at least 3 mean edge
 lengths, below which balls contain too few edges (at 1 edge length, 8 % of the balls of a scanned horse contain none).
 
-With smaller balls curvature depends on the mesh: between a horse of 8,431 and its decimation to 4,200 vertices, for both of
-which that is above 3 edge lengths, the share of the strongest features that are found again is a tenth larger than at 2.5 %.
+With smaller balls curvature depends on the mesh: between a horse of 8,431 and its decimation to 4,200 vertices, for
+both of which that is above 3 edge lengths, the share of the strongest features that are found again is a tenth larger
+than at 2.5 %.
 */
 inline double default_ball_radius(const Rest_shape& shape)
 {
@@ -47,9 +48,10 @@ computes the geodesic ball of each vertex on the rest shape of an animation.
 \returns a row of vertex ranks for each vertex, ascending, itself included.
 \throw Option_error if the radius is negative or not finite. What the policy throws.
 */
-template <class ConcurrencyTag = CGAL::Sequential_tag, class Animation, class GeodesicBalls = Heat_method_geodesic_balls>
-Compressed_rows
-geodesic_balls(const Animation& animation, double radius = 0, const GeodesicBalls& policy = GeodesicBalls())
+template <class ConcurrencyTag = CGAL::Sequential_tag, class Animation,
+          class GeodesicBalls = Heat_method_geodesic_balls>
+Compressed_rows geodesic_balls(const Animation& animation, double radius = 0,
+                               const GeodesicBalls& policy = GeodesicBalls())
 {
   const internal::Animation_access<Animation> access(animation);
   if (!(radius >= 0) || !std::isfinite(radius)) throw Option_error("the radius of the geodesic balls must be positive");

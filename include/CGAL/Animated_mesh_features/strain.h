@@ -119,7 +119,8 @@ Linear in triangles x frames.
 \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same, bit for bit.
 \tparam Animation a model of `MeshAnimation`.
 \tparam StrainMeasure a model of `StrainMeasure`.
-\returns a field of `number of triangles x F` strains without unit, rows in the order of `faces(mesh)`. Rows of triangles that
+\returns a field of `number of triangles x F` strains without unit, rows in the order of `faces(mesh)`. Rows of
+triangles that
   are degenerate at rest are zero.
 */
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Animation, class StrainMeasure = Hencky_strain>

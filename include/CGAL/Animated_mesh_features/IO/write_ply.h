@@ -27,9 +27,9 @@ namespace IO {
 /*!
 \ingroup PkgAnimatedMeshFeaturesIO
 
-writes features as a PLY point cloud, to be looked at next to the mesh in MeshLab, Blender or CloudCompare. Each point is
-a feature's position on the animated surface at its time; further properties are `sigma`, `tau`, `time`, `strength` and
-`radius` (`float`), `frame` and `vertex` (`int`). Independent of the stream's locale.
+writes features as a PLY point cloud, to be looked at next to the mesh in MeshLab, Blender or CloudCompare. Each point
+is a feature's position on the animated surface at its time; further properties are `sigma`, `tau`, `time`, `strength`
+and `radius` (`float`), `frame` and `vertex` (`int`). Independent of the stream's locale.
 
 \param os a binary stream; errors are left in its state, `Output_file` reports them
 \param features a range of `Spatio_temporal_feature<VertexDescriptor>`

@@ -43,10 +43,10 @@ struct Extremum
 
 // Finds the extrema of the response over all samples (vertex, frame, k, l).
 //
-// The spatial filter S acts on frames, the temporal filter T on rows of frames, so they commute, L_kl = S_k d T_l, and S is
-// applied once for each k only. For a batch of space levels that are kept as rows, all time levels of a vertex, its
-// responses and the tests at the vertex itself run in the cache. What survives them looks at its neighbours: T is linear,
-// so a single response at a neighbour is a few scalar products of its rows with rows of the matrix of T_l.
+// The spatial filter S acts on frames, the temporal filter T on rows of frames, so they commute, L_kl = S_k d T_l, and
+// S is applied once for each k only. For a batch of space levels that are kept as rows, all time levels of a vertex,
+// its responses and the tests at the vertex itself run in the cache. What survives them looks at its neighbours: T is
+// linear, so a single response at a neighbour is a few scalar products of its rows with rows of the matrix of T_l.
 template <class FT, class TemporalFilter, class Response, class Search>
 class Scale_space_engine
 {

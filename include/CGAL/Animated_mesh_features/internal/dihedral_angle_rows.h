@@ -17,10 +17,10 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// 2 atan(y / (r + x)) with r = |(x, y)|, which is atan2(y, x): odd in y, exactly 0 for y = 0. No branches, so that it runs in
-// vector registers. Three half-angle steps, atan(t) = 2 atan(t / (1 + sqrt(1 + t^2))), bring the tangent below
-// tan(pi/16), where the power series needs as many terms as half of the digits. The error is that of the scalar type over
-// the distance from an edge that is folded completely (angle pi); there the angle no longer has a sign, and is 0.
+// 2 atan(y / (r + x)) with r = |(x, y)|, which is atan2(y, x): odd in y, exactly 0 for y = 0. No branches, so that it
+// runs in vector registers. Three half-angle steps, atan(t) = 2 atan(t / (1 + sqrt(1 + t^2))), bring the tangent below
+// tan(pi/16), where the power series needs as many terms as half of the digits. The error is that of the scalar type
+// over the distance from an edge that is folded completely (angle pi); there the angle no longer has a sign, and is 0.
 template <class Array>
 Array signed_angle(const Array& y, const Array& x)
 {
@@ -49,7 +49,8 @@ struct Edge_block
 // With e from source to target and the triangles' normals n1 = e x u and n2 = w x e:
 // |n1| |n2| sin(beta) = -|e| (n1 . w), |n1| |n2| cos(beta) = n1 . n2.
 template <class FT>
-Edge_block<FT> edge_block(const Flat_animation<FT>& animation, const Rest_shape::Edge& edge, std::size_t block, FT scale)
+Edge_block<FT> edge_block(const Flat_animation<FT>& animation, const Rest_shape::Edge& edge, std::size_t block,
+                          FT scale)
 {
   typedef typename Frame_block<FT>::Array Array;
   const Vector_block<FT> e = difference(animation, edge.source, edge.target, block, scale);

@@ -30,8 +30,9 @@ struct Refined_scales
   double response;
 };
 
-// Space level, time level and frame together: the second differences of the 3 x 3 x 3 window, mixed ones included, since the
-// two scales are correlated. Where that quadratic has no extremum close by, each direction by its own parabola.
+// Space level, time level and frame together: the second differences of the 3 x 3 x 3 window, mixed ones included,
+// since the two scales are correlated. Where that quadratic has no extremum close by, each direction by its own
+// parabola.
 inline Refined_scales refine_scales(const Extremum& e)
 {
   const auto d = [&](int i, int j, int m) { return e.window[i + 1][j + 1][m + 1]; };
@@ -82,8 +83,9 @@ inline Refined_place place_of_vertex(const Rest_shape& shape, std::size_t v)
   return place;
 }
 
-// On the surface: least squares fit of a quadratic, through the response at the vertex, to the responses at its neighbours
-// in the tangent plane, where they keep their distances. The minimum is carried to the triangle in whose sector it lies.
+// On the surface: least squares fit of a quadratic, through the response at the vertex, to the responses at its
+// neighbours in the tangent plane, where they keep their distances. The minimum is carried to the triangle in whose
+// sector it lies.
 inline Refined_place refine_place(const Rest_shape& shape, const Extremum& e)
 {
   const std::size_t v = e.vertex;

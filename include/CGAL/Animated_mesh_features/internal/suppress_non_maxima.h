@@ -20,8 +20,9 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// Scales that differ by more than this factor are different events, even in the same place: the flexing of a knee and the
-// swing of the leg. Dropping the weaker one of such a pair makes the outcome depend on which of them is stronger by a hair.
+// Scales that differ by more than this factor are different events, even in the same place: the flexing of a knee and
+// the swing of the leg. Dropping the weaker one of such a pair makes the outcome depend on which of them is stronger by
+// a hair.
 constexpr double like_scales = 1.5;
 
 inline bool are_alike(double scale_1, double scale_2)
@@ -29,8 +30,8 @@ inline bool are_alike(double scale_1, double scale_2)
   return scale_1 <= like_scales * scale_2 && scale_2 <= like_scales * scale_1;
 }
 
-// Of features sorted by strength, strongest first, drops those of which a stronger one that is kept is within max(sigma) on the
-// surface and max(tau) in time, at like scales. Distances on the surface are along edges.
+// Of features sorted by strength, strongest first, drops those of which a stronger one that is kept is within
+// max(sigma) on the surface and max(tau) in time, at like scales. Distances on the surface are along edges.
 template <class Feature>
 std::vector<Feature> suppress_non_maxima(const Rest_shape& shape, const std::vector<Feature>& features)
 {
