@@ -4,14 +4,19 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/detect_spatio_temporal_features.h>
 
-#include <cstddef>
+#include <algorithm>
+#include <vector>
 
-double sum_of_field(const CGAL::Animated_mesh_features::Spatio_temporal_field<double>& field)
+typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
+typedef CGAL::Animated_mesh_features::Spatio_temporal_feature<Mesh::Vertex_index> Feature;
+
+double largest_strength(const std::vector<Feature>& features)
 {
-  double sum = 0.;
-  for (std::size_t row = 0; row < field.number_of_rows(); ++row)
-    for (std::size_t frame = 0; frame < field.number_of_frames(); ++frame) sum += field(row, frame);
-  return sum;
+  double largest = 0.;
+  for (const Feature& f : features) largest = (std::max)(largest, f.strength());
+  return largest;
 }

@@ -1,7 +1,8 @@
-# Installs the package if need be, then configures, builds and runs the consumer in the current folder.
+# Configures, builds and runs the consumer in the current folder.
 #
-# WAY: find_package, relocated (installed, then moved to another folder), add_subdirectory or FetchContent;
-# SOURCE_DIR, BINARY_DIR: the package's; the others: as the package's own build has them.
+# WAY: find_package, add_subdirectory or FetchContent; SOURCE_DIR, BINARY_DIR: the package's; the others: as the package's
+# own build has them. With find_package the package is installed first; the consumer is configured with it there, and once
+# more, and built, after it was moved to another folder.
 
 foreach(variable IN ITEMS WAY SOURCE_DIR BINARY_DIR GENERATOR CXX_COMPILER VERSION)
   if(NOT DEFINED ${variable})
@@ -21,25 +22,13 @@ set(folder "${CMAKE_CURRENT_BINARY_DIR}")
 file(REMOVE_RECURSE "${folder}/build" "${folder}/installed" "${folder}/moved here")
 unset(ENV{DESTDIR})
 
-set(way ${WAY})
-set(installed "")
-if(WAY STREQUAL "find_package" OR WAY STREQUAL "relocated")
-  set(way find_package)
-  set(installed "${folder}/installed")
-  run("${CMAKE_COMMAND}" --install "${BINARY_DIR}" --prefix "${installed}" --component development)
-  if(WAY STREQUAL "relocated")
-    file(RENAME "${installed}" "${folder}/moved here")
-    set(installed "${folder}/moved here")
-  endif()
-endif()
-
 set(options
   "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
   "-DCMAKE_CXX_COMPILER_LAUNCHER=${CXX_COMPILER_LAUNCHER}"
   "-DLAUNCHER=${CXX_COMPILER_LAUNCHER}"
   "-DANIMATED_MESH_FEATURES_WITH_TBB=${WITH_TBB}"
   "-DEXPECT_TBB=${EXPECT_TBB}"
-  "-DWAY=${way}"
+  "-DWAY=${WAY}"
   "-DVERSION=${VERSION}"
   # The consumer has no build type on purpose: see there.
   -DCGAL_DO_NOT_WARN_ABOUT_CMAKE_BUILD_TYPE=ON)
@@ -48,13 +37,20 @@ foreach(package IN ITEMS CGAL Eigen3 Boost TBB)
     list(APPEND options "-D${package}_DIR=${${package}_DIR}")
   endif()
 endforeach()
-if(installed)
-  list(APPEND options "-DCMAKE_PREFIX_PATH=${installed}" "-DINSTALLED=${installed}")
-else()
-  list(APPEND options "-DSOURCE_DIR=${SOURCE_DIR}")
-endif()
 
-run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}/test/consumer" -B "${folder}/build" -G "${GENERATOR}" ${options})
+function(configure)
+  run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}/test/consumer" -B "${folder}/build" -G "${GENERATOR}" ${options} ${ARGN})
+endfunction()
+
+if(WAY STREQUAL "find_package")
+  run("${CMAKE_COMMAND}" --install "${BINARY_DIR}" --prefix "${folder}/installed" --component development)
+  configure("-DCMAKE_PREFIX_PATH=${folder}/installed" "-DINSTALLED=${folder}/installed")
+  file(REMOVE_RECURSE "${folder}/build")
+  file(RENAME "${folder}/installed" "${folder}/moved here")
+  configure("-DCMAKE_PREFIX_PATH=${folder}/moved here" "-DINSTALLED=${folder}/moved here")
+else()
+  configure("-DSOURCE_DIR=${SOURCE_DIR}")
+endif()
 run("${CMAKE_COMMAND}" --build "${folder}/build")
 
 find_program(consumer NAMES consumer PATHS "${folder}/build" "${folder}/build/Debug" NO_DEFAULT_PATH REQUIRED)
