@@ -9,10 +9,11 @@
 
 #include <CGAL/Animated_mesh_features/Compressed_rows.h>
 #include <CGAL/Animated_mesh_features/Curvature_measures.h>
+#include <CGAL/Animated_mesh_features/internal/Thread_local.h>
 #include <CGAL/Animated_mesh_features/internal/dihedral_angle_rows.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace CGAL {
@@ -68,7 +69,7 @@ public:
         write(v, quotient(numerator, denominator));
       });
     } else {
-      loop.part(3, 4)(m_balls.size(), [&](std::size_t v) { write(v, whole(m_balls[v])); });
+      loop.part(3, 4)(m_balls.size(), [&](std::size_t v) { write(v, whole(v)); });
     }
   }
 
@@ -92,9 +93,15 @@ private:
   }
 
   // Edges and triangles with all corners in the ball, each met at its smallest vertex.
-  Array whole(const Compressed_rows::Row& ball) const
+  Array whole(std::size_t centre)
   {
-    const auto inside = [&](Rest_shape::Index w) { return std::binary_search(ball.begin(), ball.end(), w); };
+    const Compressed_rows::Row ball = m_balls[centre];
+    // marks[w] is the last ball on this thread that contained w
+    std::vector<Rest_shape::Index>& marks = m_marks.get([this] {
+      return std::make_unique<std::vector<Rest_shape::Index>>(m_shape.number_of_vertices(), Rest_shape::none);
+    });
+    for (Rest_shape::Index w : ball) marks[w] = Rest_shape::Index(centre);
+    const auto inside = [&](Rest_shape::Index w) { return marks[w] == centre; };
     Array numerator = Array::Zero(), denominator = Array::Zero();
     for (Rest_shape::Index v : ball) {
       for (Rest_shape::Index e : m_shape.incident_edges()[v])
@@ -125,6 +132,7 @@ private:
   FT m_factor, m_scale;
   std::vector<Array> m_numerators, m_edge_denominators, m_triangle_denominators;
   std::vector<Array> m_vertex_numerators, m_vertex_denominators;
+  Thread_local<std::vector<Rest_shape::Index>> m_marks;
 };
 
 template <class FT, class Measure, class Loop>
