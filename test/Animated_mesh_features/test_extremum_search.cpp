@@ -378,9 +378,8 @@ void test_ties()
   const Shape s = regular_plane(10, 10);
   const Rest_shape shape = rest_shape_of(s);
   const std::size_t frames = 9, centre = 5 * 11 + 5;
-  // at levels 1, 2, 3 of both kinds the response is 1, 4, 1 times the field at the middle time level; the time levels' factors
-  // are 1 but for the middle one
-  const Row space = {8, 8, 7, 4, 6}, time = {1, 1, 2, 1, 1};
+  // the response is the field times (space[k + 1] - space[k - 1]) * time[l]: 0, -8, 0 times 1, 2, 1
+  Row space = {16, 16, 16, 8, 16}, time = {1, 1, 2, 1, 1};
   const auto number = [&](const Field& field) {
     const Multiplying_spatial_filter spatial = {&space};
     Multiplying_spatial_filter copy = spatial;
@@ -422,6 +421,15 @@ void test_ties()
   CHECK(number(tied) == 1); // the first frame has no frame before it
   tied(centre, 1) = 6;
   CHECK(number(tied) == 1);
+  // two levels of the same response
+  space[4] = 8;
+  CHECK(number(field) == 0);
+  space[4] = 8 + std::ldexp(1., -30);
+  CHECK(number(field) == 1);
+  time[3] = 2;
+  CHECK(number(field) == 0);
+  time[3] = 2 - std::ldexp(1., -30);
+  CHECK(number(field) == 1);
 }
 
 // What is flat up to rounding has extrema of the size of rounding at most.
