@@ -172,6 +172,18 @@ int main()
   published.sampling.max_time_count = 12;
   check_invariances("published", a, published, 1e-6, 1e-6);
 
+  // A body that turns and travels without deforming has no features, however low the threshold.
+  Animation rigid = {a.mesh, {}, a.frame_duration};
+  for (std::size_t f = 0; f < 20; ++f) {
+    const double angle = 0.3 * double(f), c = std::cos(angle), s = std::sin(angle);
+    rigid.frames.push_back(a.frames.front());
+    for (Point& p : rigid.frames.back())
+      p = Point(c * p.x() - s * p.y() + 0.1 * double(f), s * p.x() + c * p.y(), p.z() - 3);
+  }
+  auto everything = Amf::calibrated_options();
+  everything.selection.relative_threshold = 0;
+  CHECK(detect(rigid, everything).empty());
+
   // The motion begins and ends at rest: more rest before and less behind it only shifts the features.
   Animation later = a;
   const std::size_t delay = 4;

@@ -149,6 +149,7 @@ void test_too_few_counts()
 {
   CHECK_THROWS(Amf::Option_error, published_levels(two_triangles(20), 48, 8), "in space");
   CHECK_THROWS(Amf::Option_error, published_levels(two_triangles(100), 48, 40), "in time");
+  CHECK_THROWS(Amf::Option_error, published_levels(two_triangles(100), 48, 1), "box of one frame");
 }
 
 // Levels at `range.min` times powers of the ratio, two below and two above those at which features are found.

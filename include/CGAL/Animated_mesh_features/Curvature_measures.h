@@ -31,7 +31,8 @@ enum class Ball_membership
 Models of `CurvatureMeasure`: quotients of two sums over the edges and triangles of a geodesic ball,
 \f[ \kappa = c\, \frac{\sum_e w_e\, p(\beta_e, |e|)}{\sum_e w_e\, q(\beta_e, |e|) + \sum_t w_t\, g(A_t)} , \f]
 with the signed dihedral angle \f$\beta\f$ (\f$\pi\f$ minus the interior angle, positive where the surface is convex),
-lengths and areas of the frame, and weights \f$w\f$ by `membership`. `p`, `q` and `g` take scalars and Eigen arrays.
+lengths and areas of the frame, and weights \f$w\f$ by `membership`. `p`, `q` and `g` take Eigen arrays, with one entry
+for each of several frames.
 @{
 */
 

@@ -16,6 +16,7 @@
 #include <CGAL/Animated_mesh_features/exceptions.h>
 #include <CGAL/Animated_mesh_features/internal/Animation_access.h>
 #include <CGAL/Animated_mesh_features/internal/Scale_space_engine.h>
+#include <CGAL/Animated_mesh_features/internal/noise_floor.h>
 #include <CGAL/Animated_mesh_features/internal/refine_extremum.h>
 #include <CGAL/Animated_mesh_features/internal/suppress_non_maxima.h>
 #include <CGAL/Animated_mesh_features/strain.h>
@@ -125,8 +126,9 @@ public:
                          std::to_string(field.number_of_frames()) + ", the animation " +
                          std::to_string(animation().number_of_vertices()) + " x " +
                          std::to_string(animation().number_of_frames()));
+    check_finite(field);
     m_deformation = std::move(field);
-    check_finite(*m_deformation);
+    m_is_own_field = true;
     m_minima.reset();
   }
 
@@ -172,7 +174,8 @@ public:
     return operator()(out, m_default_visitor);
   }
 
-  /// the number of minima of the response, before thresholds and suppression; 0 before the first detection.
+  /// the number of minima of the response, before thresholds and suppression, but above the rounding errors of the
+  /// coordinates and of the smoothing, so that a body that moves rigidly has none; 0 before the first detection.
   std::size_t number_of_minima() const { return m_minima ? m_minima->size() : 0; }
 
   /// \name Levels of the last detection
@@ -249,9 +252,12 @@ private:
     const std::vector<internal::Extremum> extrema =
         engine.template run<ConcurrencyTag>(field, m_options.spatial_filter, visitor);
 
+    const double noise =
+        (std::max)(internal::smoothing_noise(field), m_is_own_field ? 0 : internal::deformation_noise(animation()));
     std::vector<Feature> minima;
     minima.reserve(extrema.size());
-    for (const internal::Extremum& e : extrema) minima.push_back(feature(e, levels));
+    for (const internal::Extremum& e : extrema)
+      if (-e.response() > noise) minima.push_back(feature(e, levels));
     std::sort(minima.begin(), minima.end(), [](const Feature& a, const Feature& b) {
       return std::tie(a.response, a.vertex_index, a.time, a.sigma, a.tau) <
              std::tie(b.response, b.vertex_index, b.time, b.sigma, b.tau);
@@ -317,6 +323,7 @@ private:
   Default_visitor m_default_visitor;
   std::optional<Compressed_rows> m_balls;
   std::optional<Field> m_strain, m_curvature_change, m_deformation;
+  bool m_is_own_field = false; // m_deformation
   std::optional<std::vector<Feature>> m_minima; // strongest first
   std::vector<double> m_sigma, m_tau;
 };

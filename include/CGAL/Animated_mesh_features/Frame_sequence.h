@@ -127,7 +127,10 @@ public:
     m_animation.resize(m_vertices.size(), number_of_frames);
     m_animation.frame_duration = frame_duration;
     std::size_t f = 0;
-    for (const auto& frame : frames) insert_frame(m_animation, f++, frame);
+    for (const auto& frame : frames) {
+      insert_frame(m_animation, f, frame, "frame " + std::to_string(f));
+      ++f;
+    }
     set_rest_frame(0);
   }
 
@@ -187,11 +190,7 @@ public:
   {
     internal::Flat_animation<double> one;
     one.resize(m_vertices.size(), 1);
-    try {
-      insert_frame(one, 0, points);
-    } catch (const Input_error& e) {
-      throw Input_error("the rest shape: " + std::string(e.what()));
-    }
+    insert_frame(one, 0, points, "the rest shape");
     std::vector<Rest_shape::Point> rest = one.frame(0);
     double factor = 1;
     if (unit != Rest_unit::KEEP) {
@@ -264,18 +263,26 @@ private:
   {
   };
 
+  // `name` is for messages
   template <class Scalar, class Points>
-  void insert_frame(internal::Flat_animation<Scalar>& animation, std::size_t f, const Points& points) const
+  void insert_frame(internal::Flat_animation<Scalar>& animation,
+                    std::size_t f,
+                    const Points& points,
+                    const std::string& name) const
   {
+    const auto insert = [&](std::size_t v, const auto& point) {
+      if (!animation.set_point(v, f, point))
+        throw Input_error(name + ": the position of vertex " + std::to_string(v) + " is not finite");
+    };
     if constexpr (Is_point_map<Points>::value) {
-      for (std::size_t v = 0; v < m_vertices.size(); ++v) animation.set_point(v, f, get(points, m_vertices[v]));
+      for (std::size_t v = 0; v < m_vertices.size(); ++v) insert(v, get(points, m_vertices[v]));
     } else {
       const std::size_t n = std::size_t(std::distance(std::begin(points), std::end(points)));
       if (n != m_vertices.size())
-        throw Input_error("frame " + std::to_string(f) + " has " + std::to_string(n) + " points, the mesh has " +
+        throw Input_error(name + " has " + std::to_string(n) + " points, the mesh has " +
                           std::to_string(m_vertices.size()) + " vertices");
       std::size_t v = 0;
-      for (const auto& p : points) animation.set_point(v++, f, p);
+      for (const auto& p : points) insert(v++, p);
     }
   }
 

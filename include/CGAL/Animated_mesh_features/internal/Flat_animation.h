@@ -45,15 +45,14 @@ struct Flat_animation
     z = Spatio_temporal_field<FT>(n, f);
   }
 
+  // Returns false if a coordinate is not finite.
   template <class Point_3>
-  void set_point(std::size_t v, std::size_t f, const Point_3& p)
+  bool set_point(std::size_t v, std::size_t f, const Point_3& p)
   {
     x(v, f) = FT(CGAL::to_double(p.x()));
     y(v, f) = FT(CGAL::to_double(p.y()));
     z(v, f) = FT(CGAL::to_double(p.z()));
-    if (!std::isfinite(x(v, f)) || !std::isfinite(y(v, f)) || !std::isfinite(z(v, f)))
-      throw Input_error("frame " + std::to_string(f) + ": the position of vertex " + std::to_string(v) +
-                        " is not finite");
+    return std::isfinite(x(v, f)) && std::isfinite(y(v, f)) && std::isfinite(z(v, f));
   }
 
   std::vector<Rest_shape::Point> frame(std::size_t f) const

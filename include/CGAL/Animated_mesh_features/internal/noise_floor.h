@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_INTERNAL_NOISE_FLOOR_H
+#define CGAL_ANIMATED_MESH_FEATURES_INTERNAL_NOISE_FLOOR_H
+
+#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/internal/Flat_animation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace internal {
+
+// A body that moves rigidly has a deformation of rounding errors, and a constant field differences of rounding errors;
+// both have minima, and a relative threshold would make features of them. The strengths below are some hundred times those.
+
+template <class FT>
+double largest_value(const Spatio_temporal_field<FT>& field)
+{
+  FT largest = 0;
+  for (std::size_t v = 0; v < field.number_of_rows(); ++v)
+    for (std::size_t f = 0; f < field.number_of_frames(); ++f) largest = (std::max)(largest, std::abs(field(v, f)));
+  return double(largest);
+}
+
+// Rounding in the smoothing of a field.
+template <class FT>
+double smoothing_noise(const Spatio_temporal_field<FT>& field)
+{
+  return 1000 * double(std::numeric_limits<FT>::epsilon()) * largest_value(field);
+}
+
+// Rounding of the coordinates, as a fraction of an edge: that much strain and curvature change are wrong by.
+template <class FT>
+double deformation_noise(const Flat_animation<FT>& animation)
+{
+  const double largest =
+      (std::max)({largest_value(animation.x), largest_value(animation.y), largest_value(animation.z)});
+  return 100 * double(std::numeric_limits<FT>::epsilon()) * largest / animation.rest.mean_edge_length();
+}
+
+} // namespace internal
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_INTERNAL_NOISE_FLOOR_H
