@@ -63,6 +63,10 @@ and `patch_margin` mean edge lengths beyond a cluster, and solved for each verte
 clamped to [Euclid, shortest path along edges]. Only one source is used at a time, as distances to several are wrong
 next to the border. Linear in the number of vertices.
 
+Against exact geodesics, balls of three edge lengths have 98 to 99 % of their edges in common on smooth meshes, with
+borders and with slivers, and 95 % on a scanned horse, where vertices wrongly in or out are 3.6 % of the radius off the
+rim in the mean; against the heat method on the whole mesh, 97 to 99 %. (Shortest paths along edges: 80 to 85 %.)
+
 The clusters depend on the numbering of the vertices, and with them, by some 10^-3 of the radius, the distances at the
 rim of a ball: renumbering changes the strengths of features in the third digit. `Dijkstra_geodesic_balls` do not depend
 on it.

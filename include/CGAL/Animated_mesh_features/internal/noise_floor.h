@@ -20,7 +20,8 @@ namespace Animated_mesh_features {
 namespace internal {
 
 // A body that moves rigidly has a deformation of rounding errors, and a constant field differences of rounding errors;
-// both have minima, and a relative threshold would make features of them. The strengths below are some hundred times those.
+// both have minima, and a relative threshold would make features of them. The strengths below are some hundred times
+// those.
 
 template <class FT>
 double largest_value(const Spatio_temporal_field<FT>& field)
