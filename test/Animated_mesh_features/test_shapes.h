@@ -75,7 +75,7 @@ struct Shape
   Faces faces;
 
   // appends another shape, moved
-  void add(const Shape& other, const Vec& shift = Vec::Zero())
+  void add(Shape other, const Vec& shift = Vec::Zero()) // a copy, since it may be this one
   {
     const int n = int(points.size());
     for (const Vec& p : other.points) points.push_back(p + shift);

@@ -16,7 +16,9 @@
 #include <CGAL/Animated_mesh_features/exceptions.h>
 #include <CGAL/Animated_mesh_features/internal/Animation_access.h>
 #include <CGAL/Animated_mesh_features/internal/Scale_space_engine.h>
+#include <CGAL/Animated_mesh_features/internal/check_field.h>
 #include <CGAL/Animated_mesh_features/internal/noise_floor.h>
+#include <CGAL/Animated_mesh_features/internal/place_feature.h>
 #include <CGAL/Animated_mesh_features/internal/refine_extremum.h>
 #include <CGAL/Animated_mesh_features/internal/suppress_non_maxima.h>
 #include <CGAL/Animated_mesh_features/strain.h>
@@ -120,13 +122,7 @@ public:
   /// \throw Option_error if its shape is another; Input_error if a value is not finite.
   void set_deformation(Field field)
   {
-    if (field.number_of_rows() != animation().number_of_vertices() ||
-        field.number_of_frames() != animation().number_of_frames())
-      throw Option_error("the field is " + std::to_string(field.number_of_rows()) + " x " +
-                         std::to_string(field.number_of_frames()) + ", the animation " +
-                         std::to_string(animation().number_of_vertices()) + " x " +
-                         std::to_string(animation().number_of_frames()));
-    check_finite(field);
+    internal::check_field(field, animation().number_of_vertices(), animation().number_of_frames());
     m_deformation = std::move(field);
     m_is_own_field = true;
     m_minima.reset();
@@ -201,14 +197,6 @@ private:
     if (!(s.absolute_threshold >= 0)) throw Option_error("the absolute threshold must not be negative");
   }
 
-  static void check_finite(const Field& field)
-  {
-    for (std::size_t v = 0; v < field.number_of_rows(); ++v)
-      for (std::size_t f = 0; f < field.number_of_frames(); ++f)
-        if (!std::isfinite(field(v, f)))
-          throw Input_error("frame " + std::to_string(f) + ": the field is not finite at vertex " + std::to_string(v));
-  }
-
   // A minimum has a level on either side, and all three have those of which their differences are made.
   static void check_number_of_levels(const Scale_levels& levels)
   {
@@ -268,40 +256,22 @@ private:
   Feature feature(const internal::Extremum& e, const Scale_levels& levels) const
   {
     typedef typename Options::SpaceTimeResponse Response;
-    const Rest_shape& shape = animation().rest;
     Feature result;
     result.vertex_index = e.vertex;
     result.vertex = m_access->vertex_descriptors()[e.vertex];
-    result.frame = e.frame;
     const internal::Refined_scales scales = internal::refine_scales(e);
     const auto sigma = [&](std::size_t k) {
       return levels.sigma_factor * std::sqrt(m_options.spatial_filter.variance(k, e.vertex));
     };
     result.sigma = internal::interpolated_scale(sigma(e.k - 1), sigma(e.k), sigma(e.k + 1), scales.space_level);
     result.tau = internal::interpolated_scale(m_tau[e.l - 1], m_tau[e.l], m_tau[e.l + 1], scales.time_level);
-    result.time = (double(e.frame) + scales.frame) * animation().frame_duration;
     result.response = scales.response;
     const auto outermost = [](std::size_t i, std::size_t size) {
       return i == Response::below + 1 || i + Response::above + 2 == size;
     };
     result.at_scale_limit = outermost(e.k, m_sigma.size()) || outermost(e.l, m_tau.size());
 
-    const internal::Refined_place place = internal::refine_place(shape, e);
-    result.triangle = place.triangle;
-    result.barycentric_coordinates = place.barycentric;
-    const std::size_t before = std::size_t(double(e.frame) + scales.frame); // an extremum is not in the last frame
-    const double behind_weight = double(e.frame) + scales.frame - double(before);
-    Rest_shape::Point rest = Rest_shape::Point::Zero(), now = rest;
-    for (int i = 0; i < 3; ++i) {
-      const std::size_t v = place.triangle[i];
-      rest += place.barycentric[i] * shape.points()[v];
-      now += place.barycentric[i] * ((1 - behind_weight) * animation().point(v, before) +
-                                     behind_weight * animation().point(v, before + 1));
-    }
-    for (int i = 0; i < 3; ++i) {
-      result.rest_position[i] = rest[i];
-      result.position[i] = now[i];
-    }
+    internal::place_feature(animation(), e, scales, result);
     return result;
   }
 

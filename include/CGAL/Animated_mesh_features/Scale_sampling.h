@@ -171,7 +171,7 @@ struct Every_smoothing_count
     const double width =
         box_width > 0 ? double(box_width) : std::sqrt(12 * time_unit / (frame_duration * frame_duration) + 1);
     if (!(space_unit > 0) || !(time_unit > 0) || !(width > 1))
-      throw Option_error("a pass of a filter adds no variance (a box of one frame?), so that there is nothing to count");
+      throw Option_error("a pass of a filter adds no variance (a box of one frame?): there is nothing to count");
     const std::size_t space_count =
         max_space_count > 0 ? max_space_count : largest_count(radius_over_diagonal * shape.bounding_box_diagonal() / h);
     const std::size_t time_count =
