@@ -149,7 +149,7 @@ public:
   writes the features to `out`, strongest first.
 
   Time: linear in `N F` times the number of space levels times the number of time levels, plus the spatial filter.
-  Memory: up to 12 fields of `N x F`.
+  Memory: up to 16 fields of `N x F`, the space levels of a batch.
 
   \param out an output iterator of `Feature`.
   \param visitor a model of `DetectionVisitor`.
