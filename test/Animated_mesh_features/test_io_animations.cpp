@@ -15,11 +15,15 @@
 #include <CGAL/Animated_mesh_features/IO/write_obj.h>
 #include <CGAL/Animated_mesh_features/IO/write_point_cache.h>
 
+#include <CGAL/tags.h>
+
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #ifdef __unix__
@@ -324,6 +328,231 @@ void test_animation_errors()
   CHECK(IO::read_animation<float>({folder.path("q")}, options).mesh.triangles.size() == 2);
 }
 
+// An animation large enough to be read in several pieces, by several threads: a strip of triangles whose vertices jump
+// about. Coordinates are exact in single precision and have several digits behind the point.
+struct Strip
+{
+  std::size_t vertices, frames;
+
+  float value(std::size_t f, std::size_t v, std::size_t c) const
+  {
+    return float((f * 7919 + v * 104729 + c * 1299709) % 65521) / 1024 - 32;
+  }
+
+  std::vector<float> frame(std::size_t f) const
+  {
+    std::vector<float> xyz;
+    for (std::size_t v = 0; v < vertices; ++v)
+      for (std::size_t c = 0; c < 3; ++c) xyz.push_back(value(f, v, c));
+    return xyz;
+  }
+
+  IO::Indexed_mesh mesh(std::size_t f) const
+  {
+    IO::Indexed_mesh m;
+    for (std::size_t v = 0; v < vertices; ++v) m.points.push_back({{value(f, v, 0), value(f, v, 1), value(f, v, 2)}});
+    for (std::size_t v = 0; v + 2 < vertices; ++v) m.triangles.push_back({{v, v + 1 + v % 2, v + 2 - v % 2}});
+    return m;
+  }
+
+  std::string obj(std::size_t f) const
+  {
+    std::ostringstream os;
+    IO::write_obj(os, mesh(f));
+    return os.str();
+  }
+
+  std::string cache(bool is_pc2) const
+  {
+    std::ostringstream os;
+    const auto get = [&](std::size_t f, float* xyz) {
+      const std::vector<float> values = frame(f);
+      std::copy(values.begin(), values.end(), xyz);
+    };
+    if (is_pc2)
+      IO::write_pc2(os, vertices, frames, get);
+    else
+      IO::write_mdd(os, vertices, std::vector<float>(frames, 0), get);
+    return os.str();
+  }
+
+  template <class FT>
+  bool is_in(const Spatio_temporal_field<FT>& x, const Spatio_temporal_field<FT>& y,
+             const Spatio_temporal_field<FT>& z) const
+  {
+    const Spatio_temporal_field<FT>* fields[] = {&x, &y, &z};
+    bool good = true;
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (fields[c]->number_of_rows() != vertices || fields[c]->number_of_frames() != frames) return false;
+      for (std::size_t v = 0; v < vertices; ++v)
+        for (std::size_t f = 0; f < frames; ++f) good = good && (*fields[c])(v, f) == FT(value(f, v, c));
+    }
+    return good;
+  }
+};
+
+template <class FT, class ConcurrencyTag>
+void test_strip()
+{
+  for (const Strip& strip : {Strip{2111, 70}, Strip{1024, 33}, Strip{257, 5}}) {
+    const std::string mesh = folder.write("strip/0.obj", strip.obj(0));
+    for (bool is_pc2 : {true, false}) {
+      const std::string cache = folder.write(is_pc2 ? "strip/c.pc2" : "strip/c.mdd", strip.cache(is_pc2));
+      const auto data = IO::read_animation<FT, ConcurrencyTag>({mesh, cache});
+      CHECK(strip.is_in(data.x, data.y, data.z));
+    }
+  }
+  for (std::size_t frames : {2u, 15u, 16u, 17u, 32u, 35u}) {
+    const Strip strip = {523, frames};
+    std::filesystem::remove_all(folder.path("strip"));
+    for (std::size_t f = 0; f < frames; ++f) folder.write("strip/" + std::to_string(f) + ".obj", strip.obj(f));
+    const auto data = IO::read_animation<FT, ConcurrencyTag>({folder.path("strip")});
+    CHECK(strip.is_in(data.x, data.y, data.z));
+    CHECK(data.mesh.points == strip.mesh(0).points);
+    CHECK(data.mesh.triangles == strip.mesh(0).triangles);
+  }
+}
+
+// The message of the error, or an empty string.
+template <class ConcurrencyTag>
+std::string error_of(const std::vector<std::string>& inputs)
+{
+  try {
+    IO::read_animation<float, ConcurrencyTag>(inputs);
+  } catch (const Input_error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+// Several frames are wrong, each in its way, and those behind the first one are quicker to read: the first one is told.
+void test_first_error()
+{
+  const Strip strip = {3001, 40};
+  std::vector<std::string> good, files;
+  for (std::size_t f = 0; f < strip.frames; ++f) {
+    good.push_back(strip.obj(f));
+    files.push_back(folder.write("err/" + std::to_string(f) + ".obj", good[f]));
+  }
+  const auto check = [&](std::size_t first_bad, const std::string& message) {
+    for (int i = 0; i < 5; ++i) {
+      const std::string parallel = error_of<CGAL::Parallel_if_available_tag>(files);
+      report(parallel.compare(0, files[first_bad].size(), files[first_bad]) == 0 &&
+                 parallel.find(message) != std::string::npos,
+             __FILE__, __LINE__, "error of frame " + std::to_string(first_bad) + ": " + parallel);
+      CHECK(parallel == error_of<CGAL::Sequential_tag>(files));
+    }
+  };
+  folder.write("err/39.obj", "");
+  check(39, ": is empty");
+  folder.write("err/33.obj", "v 1 2 x\n");
+  check(33, ":1: \"x\" is not a number");
+  const std::string swapped = "f 3001 3000 2999\n";
+  const auto without_last_face = [&](std::size_t f) { return good[f].substr(0, good[f].rfind("f ")); };
+  folder.write("err/20.obj", without_last_face(20) + swapped);
+  check(20, ": triangle 2998 is (3000, 2999, 2998), but (2998, ");
+  folder.write("err/18.obj", good[18] + swapped);
+  check(18, ": has 3000 triangles, but the first frame, ");
+  folder.write("err/17.obj", without_last_face(17));
+  check(17, ": has 2998 triangles, but the first frame, ");
+  folder.write("err/16.obj", "v 0 0 0\n" + good[16]);
+  check(16, ": has 3002 vertices, but the first frame, ");
+  folder.write("err/9.obj", without_last_face(9) + "f 1 2 3002\n");
+  check(9, " has a corner at vertex 3001");
+  folder.write("err/3.obj", good[3].substr(0, good[3].size() - 6));
+  check(3, ":");
+  folder.write("err/2.obj", "v 1e200 0 0\n" + good[2].substr(good[2].find('\n') + 1));
+  check(2, ": vertex 0 has a coordinate too large for the precision");
+  folder.write("err/0.obj", good[0].substr(0, good[0].size() / 2));
+  check(0, ":");
+}
+
+// A file that was cut off anywhere is read as it is without threads: no matter what becomes of it.
+void test_truncated()
+{
+  const std::string first = folder.write("cut/0.obj", obj(0)), second = folder.path("cut/1.obj");
+  const std::string whole = "#\r\n" + obj(1) + "\r\n";
+  std::size_t errors = 0;
+  for (std::size_t n = 0; n <= whole.size(); ++n) {
+    folder.write("cut/1.obj", whole.substr(0, n));
+    const std::string message = error_of<CGAL::Parallel_if_available_tag>({first, second});
+    CHECK(message == error_of<CGAL::Sequential_tag>({first, second}));
+    CHECK(message.empty() || message.compare(0, second.size(), second) == 0);
+    errors += !message.empty();
+  }
+  CHECK(errors == whole.size() - 3); // without the end of the last lines it is complete
+}
+
+// What the threads find out in any order is told as if there were none; and a file may shrink, or grow, after its size
+// was looked at.
+template <class FT, class ConcurrencyTag>
+void test_cache_errors()
+{
+  const Strip strip = {2500, 40};
+  const std::string content = strip.cache(true);
+  const std::size_t frame = 12 * strip.vertices;
+  const auto error = [&](const std::string& text, const std::string& message, std::uintmax_t resize_to = 0) {
+    const std::string path = folder.write("e.pc2", text);
+    IO::Point_cache_reader cache(path);
+    if (resize_to != 0) std::filesystem::resize_file(path, resize_to);
+    Spatio_temporal_field<FT> x, y, z;
+    CHECK_THROWS(Input_error, (cache.read_fields<ConcurrencyTag>(x, y, z), 0), path + message);
+  };
+  std::string bad = content;
+  const auto spoil = [&](std::size_t f, std::size_t v, std::size_t c, std::uint32_t bits) {
+    bad.replace(32 + f * frame + 12 * v + 4 * c, 4, little_endian(bits));
+  };
+  spoil(39, 2499, 2, 0x7f800000u);
+  error(bad, ": frame 39, vertex 2499: the position is not finite");
+  spoil(32, 0, 0, 0xff800000u);
+  error(bad, ": frame 32, vertex 0: the position is not finite");
+  spoil(7, 1030, 1, 0x7fc00000u);
+  error(bad, ": frame 7, vertex 1030: the position is not finite");
+  spoil(6, 2400, 0, 0x7f800001u);
+  error(bad, ": frame 6, vertex 2400: the position is not finite");
+
+  const std::string sizes = ": 2500 points in 40 frames take 1200032 bytes, the file has ";
+#ifndef _WIN32 // where an open file keeps its size
+  error(content, sizes + "1200031: it is cut off after 39 whole frames", content.size() - 1);
+  error(content, sizes + "90033: it is cut off after 3 whole frames", 32 + 3 * frame + 1);
+  error(content, sizes + "29999: it is cut off after 0 whole frames", 29999);
+  error(content, ": goes on after the last frame", content.size() + 1);
+#endif
+}
+
+#ifdef __unix__
+// Pipes have no size and cannot be read in any order.
+template <class ConcurrencyTag>
+void test_pipes()
+{
+  const Strip strip = {1500, 37};
+  const auto make_pipe = [](const std::string& name) {
+    const std::string path = folder.path(name);
+    CHECK(mkfifo(path.c_str(), 0600) == 0);
+    return path;
+  };
+  std::filesystem::create_directory(folder.path("pipes"));
+  const std::string mesh = make_pipe("pipes/m.obj"), second = make_pipe("pipes/n.obj");
+  const auto write = [](const std::string& path, const std::string& content) {
+    return std::thread([path, content] { std::ofstream(path, std::ios::binary) << content; });
+  };
+  for (bool is_pc2 : {true, false}) {
+    const std::string cache = make_pipe(is_pc2 ? "pipes/c.pc2" : "pipes/c.mdd");
+    std::thread a = write(mesh, strip.obj(0)), b = write(cache, strip.cache(is_pc2));
+    const auto data = IO::read_animation<double, ConcurrencyTag>({mesh, cache});
+    CHECK(strip.is_in(data.x, data.y, data.z));
+    a.join();
+    b.join();
+  }
+  std::thread a = write(mesh, strip.obj(0)), b = write(second, strip.obj(1));
+  const auto data = IO::read_animation<double, ConcurrencyTag>({mesh, second});
+  CHECK((Strip{strip.vertices, 2}.is_in(data.x, data.y, data.z)));
+  a.join();
+  b.join();
+  std::filesystem::remove_all(folder.path("pipes"));
+}
+#endif
+
 } // namespace
 
 int main()
@@ -337,5 +566,17 @@ int main()
   test_animation_of<float>();
   test_animation_of<double>();
   test_animation_errors();
+  test_strip<float, CGAL::Parallel_if_available_tag>();
+  test_strip<double, CGAL::Parallel_if_available_tag>();
+  test_strip<float, CGAL::Sequential_tag>();
+  test_strip<double, CGAL::Sequential_tag>();
+  test_first_error();
+  test_truncated();
+  test_cache_errors<float, CGAL::Sequential_tag>();
+  test_cache_errors<double, CGAL::Parallel_if_available_tag>();
+#ifdef __unix__
+  test_pipes<CGAL::Sequential_tag>();
+  test_pipes<CGAL::Parallel_if_available_tag>();
+#endif
   return test_result();
 }

@@ -9,6 +9,8 @@
 
 #include <CGAL/Animated_mesh_features/exceptions.h>
 #include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/internal/Thread_local.h>
+#include <CGAL/Animated_mesh_features/internal/parallel_for.h>
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
 #include <CGAL/Animated_mesh_features/IO/Point_cache_reader.h>
 #include <CGAL/Animated_mesh_features/IO/check_same_connectivity.h>
@@ -18,9 +20,14 @@
 #include <CGAL/Animated_mesh_features/IO/natural_order.h>
 #include <CGAL/Animated_mesh_features/IO/read_mesh.h>
 
+#include <CGAL/tags.h>
+
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <exception>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -63,7 +70,7 @@ struct Animation_file_data
 
 namespace internal {
 
-template <class FT>
+template <class ConcurrencyTag, class FT>
 void read_point_cache(const std::string& mesh_file, const std::string& cache_file, const Mesh_reading_options& options,
                       Animation_file_data<FT>& data)
 {
@@ -73,25 +80,50 @@ void read_point_cache(const std::string& mesh_file, const std::string& cache_fil
   cache.check_number_of_points(data.mesh.points.size(), mesh_file);
   data.frames = cache.number_of_frames();
   data.times = cache.times();
-  Field_filler<FT> filler(cache.number_of_points(), data.frames, data.x, data.y, data.z);
-  cache.read_frames([&](std::size_t, const float* xyz) { filler.add(xyz, cache_file); });
+  cache.read_fields<ConcurrencyTag>(data.x, data.y, data.z);
 }
 
-template <class FT>
+// What reading one file takes: a thread has its own.
+struct Mesh_reading_memory
+{
+  std::string content;
+  Indexed_mesh mesh;
+};
+
+template <class ConcurrencyTag, class FT>
 void read_frame_files(const std::vector<std::string>& files, const Mesh_reading_options& options,
                       Animation_file_data<FT>& data)
 {
   data.sources = files;
   data.frames = files.size();
-  std::string content;
-  read_mesh(files[0], options, content, data.mesh);
-  Field_filler<FT> filler(data.mesh.points.size(), data.frames, data.x, data.y, data.z);
-  filler.add(data.mesh.points[0].data(), files[0]);
-  Indexed_mesh mesh;
-  for (std::size_t f = 1; f < files.size(); ++f) {
-    read_mesh(files[f], options, content, mesh);
-    check_same_connectivity(data.mesh, "the first frame, " + files[0], mesh, files[f]);
-    filler.add(mesh.points[0].data(), files[f]);
+  Animated_mesh_features::internal::Thread_local<Mesh_reading_memory> memories;
+  const auto memory = [&]() -> Mesh_reading_memory& {
+    return memories.get([] { return std::make_unique<Mesh_reading_memory>(); });
+  };
+  read_mesh(files[0], options, memory().content, data.mesh);
+  const std::array<Spatio_temporal_field<FT>*, 3> fields = {{&data.x, &data.y, &data.z}};
+  resize_fields<ConcurrencyTag>(data.mesh.points.size(), data.frames, fields);
+  Field_filler<FT, ConcurrencyTag> filler(fields);
+  filler.put(0, data.mesh.points[0].data(), files[0]);
+
+  for (std::size_t first = 1, last; first < data.frames; first = last) {
+    last = filler.end_of_batch();
+    // Of several errors, the first frame's is told, whichever thread is faster.
+    std::vector<std::exception_ptr> errors(last - first);
+    Animated_mesh_features::internal::parallel_for<ConcurrencyTag>(first, last, [&](std::size_t f) {
+      try {
+        Mesh_reading_memory& m = memory();
+        if (!read_mesh(files[f], options, m.content, m.mesh, &data.mesh) ||
+            m.mesh.points.size() != data.mesh.points.size())
+          check_same_connectivity(data.mesh, "the first frame, " + files[0], m.mesh, files[f]);
+        filler.put(f, m.mesh.points[0].data(), files[f]);
+      } catch (...) {
+        errors[f - first] = std::current_exception();
+      }
+    });
+    for (const std::exception_ptr& error : errors)
+      if (error) std::rethrow_exception(error);
+    filler.finish_batch();
   }
 }
 
@@ -109,16 +141,18 @@ reads an animation. `inputs` is one of
 All meshes of a sequence must have the same faces in the same order. STL repeats coordinates instead of naming
 vertices, so that a sequence of STL files works only as long as no two vertices ever meet.
 
-Linear in the size of the files. Apart from the result, `3 N F` numbers, one file (or one frame of a cache) and some
-sixteen frames are in memory.
+Linear in the size of the files. Apart from the result, `3 N F` numbers, a sequence takes the memory of 16 frames and of
+a file for each thread, a point cache some 0.4 MB a thread (see `Point_cache_reader::read_fields()`).
 
 \tparam FT `float` or `double`: the precision of the coordinates.
+\tparam ConcurrencyTag `CGAL::Parallel_if_available_tag` or `CGAL::Sequential_tag`. The result is the same, bit for bit,
+  and so is the error, if there are several: that of the first frame.
 
 \throws Input_error if a file is missing or malformed (see `read_mesh()`, `Point_cache_reader`), the frames differ in
 connectivity (the message names the first such triangle) or there are less than two of them, or the inputs are none of
 the above.
 */
-template <class FT>
+template <class FT, class ConcurrencyTag = CGAL::Parallel_if_available_tag>
 Animation_file_data<FT> read_animation(const std::vector<std::string>& inputs,
                                        Mesh_reading_options options = Mesh_reading_options())
 {
@@ -142,13 +176,13 @@ Animation_file_data<FT> read_animation(const std::vector<std::string>& inputs,
     if (meshes.empty())
       throw Input_error(caches[0] + ": a point cache holds positions only; give the mesh file that belongs to it too");
     if (meshes.size() > 1) throw Input_error(meshes[1] + ": a second mesh; give one mesh and one point cache");
-    internal::read_point_cache(meshes[0], caches[0], options, data);
+    internal::read_point_cache<ConcurrencyTag>(meshes[0], caches[0], options, data);
   } else {
     if (meshes.size() == 1)
       throw Input_error(meshes[0] +
                         ": one mesh is no animation; give the point cache that belongs to it, or more frames");
     std::sort(meshes.begin(), meshes.end(), [](const auto& a, const auto& b) { return natural_order(a, b); });
-    internal::read_frame_files(meshes, options, data);
+    internal::read_frame_files<ConcurrencyTag>(meshes, options, data);
   }
   if (data.frames < 2) throw Input_error(data.sources.back() + ": one frame is no animation");
   return data;

@@ -25,24 +25,20 @@ namespace IO {
 
 namespace internal {
 
-// The form for many files: the memory of `content` and `mesh` is reused.
-inline void read_mesh(const std::string& path, const Mesh_reading_options& options, std::string& content,
-                      Indexed_mesh& mesh)
+// The form for many files: the memory of `content` and `mesh` is reused. Returns whether the triangles are those of
+// `reference`; if so, `mesh` has points only.
+inline bool read_mesh(const std::string& path, const Mesh_reading_options& options, std::string& content,
+                      Indexed_mesh& mesh, const Indexed_mesh* reference = nullptr)
 {
   const std::string e = ending(path);
   if (!is_mesh_ending(e))
     throw Input_error(path + ": unknown kind of mesh file \"" + e + "\"; known are .obj, .off, .ply and .stl");
   read_content(path, content);
   if (content.empty()) throw Input_error(path + ": is empty");
-  if (e == ".obj") {
-    parse_obj(content, path, options, mesh);
-  } else if (e == ".off") {
-    parse_off(content, path, options, mesh);
-  } else if (e == ".ply") {
-    parse_ply(content, path, options, mesh);
-  } else {
-    parse_stl(content, path, options, mesh);
-  }
+  if (e == ".obj") return parse_obj(content, path, options, mesh, reference);
+  if (e == ".off") return parse_off(content, path, options, mesh, reference);
+  if (e == ".ply") return parse_ply(content, path, options, mesh, reference);
+  return parse_stl(content, path, options, mesh, reference);
 }
 
 } // namespace internal

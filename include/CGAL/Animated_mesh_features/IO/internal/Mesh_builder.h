@@ -13,6 +13,7 @@
 #include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -24,13 +25,18 @@ namespace internal {
 
 // What the readers of all formats have in common: it collects points and faces and refuses what is no triangle mesh.
 // `line` is 0 where a file has no lines. Vertices and faces are counted from 0, as everywhere in the package.
+//
+// With `reference`, triangles are not collected as long as they are those of another mesh, in its order: all frames of
+// an animation have the same. See finish(), whose result all readers return.
 class Mesh_builder
 {
 public:
-  Mesh_builder(const std::string& file, const Mesh_reading_options& options, Indexed_mesh& mesh)
+  Mesh_builder(const std::string& file, const Mesh_reading_options& options, Indexed_mesh& mesh,
+               const Indexed_mesh* reference)
     : m_file(file)
     , m_options(options)
     , m_mesh(mesh)
+    , m_reference(reference)
   {
     m_mesh.points.clear();
     m_mesh.triangles.clear();
@@ -41,7 +47,7 @@ public:
   {
     const std::size_t least_bytes = 6; // "0 0 0\n"
     m_mesh.points.reserve((std::min)(points, bytes / least_bytes));
-    m_mesh.triangles.reserve((std::min)(faces, bytes / least_bytes));
+    if (m_reference == nullptr) m_mesh.triangles.reserve((std::min)(faces, bytes / least_bytes));
   }
 
   std::size_t number_of_points() const { return m_mesh.points.size(); }
@@ -69,19 +75,23 @@ public:
     for (std::size_t c : corners)
       if (c >= number_of_points() && (m_references.empty() || c > m_references.back().vertex))
         m_references.push_back({c, m_faces, line});
-    for (std::size_t i = 2; i < n; ++i) m_mesh.triangles.push_back({{corners[0], corners[i - 1], corners[i]}});
+    for (std::size_t i = 2; i < n; ++i) add_triangle({{corners[0], corners[i - 1], corners[i]}});
     ++m_faces;
   }
 
-  // To be called at the end of the file.
-  void finish() const
+  // To be called at the end of the file. Returns whether the triangles are those of the reference; if so, the mesh has
+  // points only.
+  bool finish()
   {
     if (m_mesh.points.empty()) fail(0, "holds no vertices");
     for (const Reference& r : m_references)
       if (r.vertex >= number_of_points())
         fail(r.line, "face " + std::to_string(r.face) + " has a corner at vertex " + std::to_string(r.vertex) +
                          " (counted from 0), the mesh has " + std::to_string(number_of_points()) + " vertices");
-    if (m_mesh.triangles.empty()) fail(0, "holds no faces");
+    if (m_same_triangles == 0 && m_mesh.triangles.empty()) fail(0, "holds no faces");
+    if (m_reference != nullptr && m_same_triangles == m_reference->triangles.size()) return true;
+    stop_comparing();
+    return false;
   }
 
   [[noreturn]] void fail(std::size_t line, const std::string& message) const
@@ -95,9 +105,34 @@ private:
     std::size_t vertex, face, line;
   };
 
+  void add_triangle(const std::array<std::size_t, 3>& triangle)
+  {
+    if (m_reference != nullptr) {
+      if (m_same_triangles < m_reference->triangles.size()) {
+        const std::array<std::size_t, 3>& other = m_reference->triangles[m_same_triangles];
+        if (triangle[0] == other[0] && triangle[1] == other[1] && triangle[2] == other[2]) {
+          ++m_same_triangles;
+          return;
+        }
+      }
+      stop_comparing();
+    }
+    m_mesh.triangles.push_back(triangle);
+  }
+
+  void stop_comparing()
+  {
+    if (m_reference == nullptr) return;
+    const auto begin = m_reference->triangles.begin();
+    m_mesh.triangles.assign(begin, begin + std::ptrdiff_t(m_same_triangles));
+    m_reference = nullptr;
+  }
+
   const std::string& m_file;
   const Mesh_reading_options& m_options;
   Indexed_mesh& m_mesh;
+  const Indexed_mesh* m_reference; // null if there is none, or none any more
+  std::size_t m_same_triangles = 0;
   std::size_t m_faces = 0;
   std::vector<Reference> m_references;
 };

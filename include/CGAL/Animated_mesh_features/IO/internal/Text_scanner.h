@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
 
+#include <array>
 #include <cstddef>
 #include <cstring>
 #include <string>
@@ -34,7 +35,12 @@ public:
     , m_file(file)
     , m_comment(comment)
     , m_continued_lines(continued_lines)
+    , m_kinds()
   {
+    for (char c : {' ', '\t', '\r', '\v', '\f'}) kind(c) = BLANK | DELIMITER;
+    kind('\n') = LINE_END | DELIMITER;
+    if (comment != '\0') kind(comment) = LINE_END | DELIMITER;
+    if (continued_lines) kind('\\') = DELIMITER;
     const char byte_order_mark[] = "\xef\xbb\xbf";
     if (text.compare(0, 3, byte_order_mark) == 0) m_p += 3;
   }
@@ -50,12 +56,17 @@ public:
   bool at_end_of_line()
   {
     skip_blanks();
-    return m_p == m_end || *m_p == '\n' || (m_comment != '\0' && *m_p == m_comment);
+    return m_p == m_end || (kind(*m_p) & LINE_END) != 0;
   }
 
   // Moves to the start of the next line.
   void next_line()
   {
+    if (m_p != m_end && *m_p == '\n') { // all of the line was read; a continued one goes on behind its end
+      ++m_p;
+      ++m_line;
+      return;
+    }
     bool comment = false;
     while (m_p != m_end) {
       comment = comment || (m_comment != '\0' && *m_p == m_comment);
@@ -101,7 +112,7 @@ public:
 
   void skip_token()
   {
-    while (m_p != m_end && !is_delimiter(*m_p)) ++m_p;
+    while (m_p != m_end && (kind(*m_p) & DELIMITER) == 0) ++m_p;
   }
 
   double number(const char* what)
@@ -138,23 +149,29 @@ public:
   }
 
 private:
-  static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-
-  bool is_delimiter(char c) const
+  enum Kind : unsigned char
   {
-    return is_blank(c) || c == '\n' || (c == '\\' && m_continued_lines) || (c == m_comment && c != '\0');
-  }
+    BLANK = 1,
+    LINE_END = 2, // a comment is the end of its line
+    DELIMITER = 4 // what ends a token
+  };
 
-  bool at_delimiter() const { return m_p == m_end || is_delimiter(*m_p); }
+  unsigned char& kind(char c) { return m_kinds[static_cast<unsigned char>(c)]; }
+  unsigned char kind(char c) const { return m_kinds[static_cast<unsigned char>(c)]; }
+
+  bool at_delimiter() const { return m_p == m_end || (kind(*m_p) & DELIMITER) != 0; }
 
   void skip_blanks()
   {
-    while (m_p != m_end) {
-      if (is_blank(*m_p)) {
-        ++m_p;
-        continue;
-      }
-      if (!(m_continued_lines && *m_p == '\\')) return;
+    while (m_p != m_end && (kind(*m_p) & BLANK) != 0) ++m_p;
+    if (m_continued_lines && m_p != m_end && *m_p == '\\') skip_backslashes_and_blanks();
+  }
+
+  void skip_backslashes_and_blanks()
+  {
+    while (true) {
+      while (m_p != m_end && (kind(*m_p) & BLANK) != 0) ++m_p;
+      if (m_p == m_end || *m_p != '\\') return;
       const char* newline = m_p + 1;
       if (newline != m_end && *newline == '\r') ++newline;
       if (newline != m_end && *newline != '\n') {
@@ -168,11 +185,14 @@ private:
 
   const char* start_of_value(const char* what)
   {
-    if (at_end_of_line()) {
-      if (m_p == m_end) fail(std::string("the file ends where ") + what + " should follow");
-      fail(std::string("the line ends where ") + what + " should follow");
-    }
+    if (at_end_of_line()) throw_no_value(what);
     return m_p;
+  }
+
+  [[noreturn]] void throw_no_value(const char* what) const
+  {
+    if (m_p == m_end) fail(std::string("the file ends where ") + what + " should follow");
+    fail(std::string("the line ends where ") + what + " should follow");
   }
 
   [[noreturn]] void throw_not_a(const char* kind, const char* begin)
@@ -188,6 +208,7 @@ private:
   std::size_t m_line = 1;
   char m_comment;
   bool m_continued_lines;
+  std::array<unsigned char, 256> m_kinds; // of each character, bits of Kind
 };
 
 } // namespace internal

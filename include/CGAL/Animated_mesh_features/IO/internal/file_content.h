@@ -11,11 +11,19 @@
 
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <string>
 #include <system_error>
+
+#if defined(__unix__) || (defined(__APPLE__) && defined(__MACH__))
+  #define CGAL_ANIMATED_MESH_FEATURES_HAS_PREAD
+  #include <sys/types.h>
+  #include <unistd.h>
+#endif
 
 namespace CGAL {
 namespace Animated_mesh_features {
@@ -51,6 +59,31 @@ inline std::size_t read_bytes(std::FILE* file, char* bytes, std::size_t size, co
   const std::size_t n = std::fread(bytes, 1, size, file);
   if (n < size && std::ferror(file)) throw_cannot_read(path, errno != 0 ? errno : EIO);
   return n;
+}
+
+// Reads `size` bytes at `offset`, from any thread, leaving the position of the file where it is. `false` if they cannot
+// be read in this way: on systems without it, from pipes, behind the end of the file, or if reading fails; whoever
+// reads the file from its start will find out why.
+//
+// This is how large files are read in pieces. Mapping them into memory takes as long, but a mapped file that shrinks
+// meanwhile, as when its animation is exported again, kills the process.
+inline bool read_bytes_at(std::FILE* file, char* bytes, std::size_t size, std::uint64_t offset)
+{
+#ifdef CGAL_ANIMATED_MESH_FEATURES_HAS_PREAD
+  if (offset > static_cast<std::uint64_t>((std::numeric_limits<off_t>::max)()) - size) return false;
+  while (size > 0) {
+    const ssize_t n = pread(fileno(file), bytes, size, static_cast<off_t>(offset));
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return false;
+    bytes += n;
+    size -= static_cast<std::size_t>(n);
+    offset += static_cast<std::uint64_t>(n);
+  }
+  return true;
+#else
+  (void)file, (void)bytes, (void)size, (void)offset;
+  return false;
+#endif
 }
 
 // The whole file; its memory is reused. Also for pipes, whose size is not known before.

@@ -8,7 +8,9 @@
 #define CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_NUMBERS_H
 
 #include <algorithm>
+#include <cfloat>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -41,9 +43,79 @@ inline bool is_finite(double x)
   return (bits & 0x7ff0000000000000u) != 0x7ff0000000000000u;
 }
 
-// Reads a number that starts at `p` and moves `p` behind it; `false`, with `p` unmoved, if none starts there.
-// "nan", "inf" and what exceeds the range of a double are numbers too: the caller says which vertex is not finite.
-inline bool parse_number(const char*& p, const char* end, double& x)
+// Whether all of `n` numbers are finite. Without a branch in the loop: one added to the exponent overflows into the
+// sign, which was cleared, if and only if the exponent is the largest.
+inline bool all_finite(const float* x, std::size_t n)
+{
+  std::uint32_t overflow = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    std::uint32_t bits;
+    std::memcpy(&bits, x + i, sizeof(bits));
+    overflow |= (bits & 0x7f800000u) + 0x00800000u;
+  }
+  return (overflow & 0x80000000u) == 0;
+}
+
+inline bool all_finite(const double* x, std::size_t n)
+{
+  std::uint64_t overflow = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    std::uint64_t bits;
+    std::memcpy(&bits, x + i, sizeof(bits));
+    overflow |= (bits & 0x7ff0000000000000u) + 0x0010000000000000u;
+  }
+  return (overflow & 0x8000000000000000u) == 0;
+}
+
+// Reads the digits at `p`, moves `p` behind them and appends them to the decimal number `m`, modulo 2^64.
+inline std::size_t parse_digits(const char*& p, const char* end, std::uint64_t& m)
+{
+  const char* const begin = p;
+  for (; p != end; ++p) {
+    const unsigned digit = static_cast<unsigned char>(*p) - unsigned('0');
+    if (digit > 9) break;
+    m = 10 * m + digit;
+  }
+  return std::size_t(p - begin);
+}
+
+// What nearly all coordinates are: few digits and no exponent. If the digits without their point are an integer that a
+// double holds, and the power of ten behind the point is such a one too, a single division rounds correctly (W. D.
+// Clinger, How to read floating point numbers accurately, PLDI 1990). `false`, with `p` unmoved, if it is something
+// else, which may be a number all the same.
+inline bool parse_plain_decimal(const char*& p, const char* end, double& x)
+{
+#if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1)
+  static constexpr double powers_of_ten[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                             1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+  constexpr std::uint64_t largest = std::uint64_t(1) << std::numeric_limits<double>::digits;
+  constexpr std::size_t most_digits = std::numeric_limits<std::uint64_t>::digits10; // `m` cannot have overflowed
+  static_assert(most_digits < sizeof(powers_of_ten) / sizeof(double), "a power for each number of decimals");
+
+  const char* q = p;
+  const bool is_negative = q != end && *q == '-';
+  if (is_negative) ++q;
+  std::uint64_t m = 0;
+  std::size_t digits = parse_digits(q, end, m), decimals = 0;
+  if (q != end && *q == '.') {
+    ++q;
+    decimals = parse_digits(q, end, m);
+    digits += decimals;
+  }
+  if (digits == 0 || digits > most_digits || m > largest) return false;
+  if (q != end && (*q == 'e' || *q == 'E')) return false;
+  const double magnitude = double(m) / powers_of_ten[decimals];
+  x = is_negative ? -magnitude : magnitude;
+  p = q;
+  return true;
+#else // the division would be rounded twice
+  (void)p, (void)end, (void)x;
+  return false;
+#endif
+}
+
+// parse_number() for what is not plain.
+inline bool parse_any_number(const char*& p, const char* end, double& x)
 {
   const char* begin = p;
   if (begin != end && *begin == '+') {
@@ -77,9 +149,26 @@ inline bool parse_number(const char*& p, const char* end, double& x)
   return true;
 }
 
+// Reads a number that starts at `p` and moves `p` behind it; `false`, with `p` unmoved, if none starts there.
+// "nan", "inf" and what exceeds the range of a double are numbers too: the caller says which vertex is not finite.
+inline bool parse_number(const char*& p, const char* end, double& x)
+{
+  return parse_plain_decimal(p, end, x) || parse_any_number(p, end, x);
+}
+
+// The same for an integer, whose range is that of its type.
 template <class Integer>
 bool parse_integer(const char*& p, const char* end, Integer& i)
 {
+  constexpr std::size_t most_digits = std::numeric_limits<Integer>::digits10; // that always fit
+  std::uint64_t m = 0;
+  const char* q = p;
+  const std::size_t digits = parse_digits(q, end, m);
+  if (digits > 0 && digits <= most_digits) {
+    i = static_cast<Integer>(m);
+    p = q;
+    return true;
+  }
   const char* begin = (p != end && *p == '+') ? p + 1 : p;
   const std::from_chars_result r = std::from_chars(begin, end, i);
   if (r.ec != std::errc()) return false;

@@ -22,18 +22,20 @@ namespace internal {
 
 // Wavefront OBJ: the statements `v` and `f`; all others (normals, texture coordinates, groups, materials, lines, free
 // forms) say nothing about the surface and are skipped.
-inline void parse_obj(const std::string& text, const std::string& file, const Mesh_reading_options& options,
-                      Indexed_mesh& mesh)
+inline bool parse_obj(const std::string& text, const std::string& file, const Mesh_reading_options& options,
+                      Indexed_mesh& mesh, const Indexed_mesh* reference = nullptr)
 {
   Text_scanner in(text, file, '#', true);
-  Mesh_builder builder(file, options, mesh);
+  Mesh_builder builder(file, options, mesh, reference);
   std::vector<std::size_t> corners;
   for (; !in.at_end(); in.next_line()) {
     const std::string_view statement = in.token();
-    if (statement == "v") {
+    const bool is_one_letter = statement.size() == 1; // most lines: comparing letters is faster than comparing words
+    if (is_one_letter && statement[0] == 'v') {
       const double x = in.number("a coordinate"), y = in.number("a coordinate"), z = in.number("a coordinate");
-      builder.add_point(x, y, z, in.line());            // a weight or a colour may follow
-    } else if (statement == "f" || statement == "fo") { // the second is the first's old name
+      // a weight or a colour may follow
+      builder.add_point(x, y, z, in.line());
+    } else if ((is_one_letter && statement[0] == 'f') || statement == "fo") { // the second is the first's old name
       corners.clear();
       while (!in.at_end_of_line()) {
         const long long i = in.integer("a vertex", '/');
@@ -46,7 +48,7 @@ inline void parse_obj(const std::string& text, const std::string& file, const Me
       builder.add_face(corners, in.line());
     }
   }
-  builder.finish();
+  return builder.finish();
 }
 
 } // namespace internal

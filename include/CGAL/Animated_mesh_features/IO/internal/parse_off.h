@@ -33,11 +33,11 @@ inline std::size_t off_count(Text_scanner& in, const char* what)
 //
 // CGAL::IO::read_OFF() says neither where nor why it fails, trusts the counts of the header, and reads numbers in the
 // global locale.
-inline void parse_off(const std::string& text, const std::string& file, const Mesh_reading_options& options,
-                      Indexed_mesh& mesh)
+inline bool parse_off(const std::string& text, const std::string& file, const Mesh_reading_options& options,
+                      Indexed_mesh& mesh, const Indexed_mesh* reference = nullptr)
 {
   Text_scanner in(text, file, '#');
-  Mesh_builder builder(file, options, mesh);
+  Mesh_builder builder(file, options, mesh, reference);
   in.skip_space();
   std::string_view keyword = in.token();
   const std::string_view whole_keyword = keyword;
@@ -83,7 +83,7 @@ inline void parse_off(const std::string& text, const std::string& file, const Me
   if (!in.at_end())
     in.fail("the file goes on after the " + std::to_string(points) + " vertices and " + std::to_string(faces) +
             " faces that its header announces");
-  builder.finish();
+  return builder.finish();
 }
 
 } // namespace internal

@@ -52,32 +52,46 @@ public:
     }
     switch (type) {
     case Ply_type::INT8:
-      return take<std::int8_t>();
+      return double(take<std::int8_t>());
     case Ply_type::UINT8:
-      return take<std::uint8_t>();
+      return double(take<std::uint8_t>());
     case Ply_type::INT16:
-      return take<std::int16_t>();
+      return double(take<std::int16_t>());
     case Ply_type::UINT16:
-      return take<std::uint16_t>();
+      return double(take<std::uint16_t>());
     case Ply_type::INT32:
-      return take<std::int32_t>();
+      return double(take<std::int32_t>());
     case Ply_type::UINT32:
-      return take<std::uint32_t>();
+      return double(take<std::uint32_t>());
     case Ply_type::FLOAT32:
-      return take<float>();
+      return double(take<float>());
     default:
-      return take<double>();
+      return double(take<double>());
     }
   }
 
   // a count or a vertex
   std::size_t next_index(Ply_type type, const char* what)
   {
-    const double x = next(type);
-    const double largest = 4294967295.; // of the largest integer type
-    if (!(x >= 0 && x <= largest) || x != double(static_cast<std::size_t>(x)))
-      fail(std::string(what) + " is negative, too large or not a whole number");
-    return static_cast<std::size_t>(x);
+    if (m_is_binary) { // the integer types
+      switch (type) {
+      case Ply_type::UINT8:
+        return take<std::uint8_t>();
+      case Ply_type::UINT16:
+        return take<std::uint16_t>();
+      case Ply_type::UINT32:
+        return take<std::uint32_t>();
+      case Ply_type::INT8:
+        return checked_index(take<std::int8_t>(), what);
+      case Ply_type::INT16:
+        return checked_index(take<std::int16_t>(), what);
+      case Ply_type::INT32:
+        return checked_index(take<std::int32_t>(), what);
+      default:
+        break;
+      }
+    }
+    return checked_index(next(type), what);
   }
 
   bool at_end()
@@ -95,18 +109,27 @@ public:
   }
 
 private:
+  template <class Number>
+  std::size_t checked_index(Number x, const char* what) const
+  {
+    const double largest = 4294967295.; // of the largest integer type
+    if (!(x >= 0 && double(x) <= largest) || double(x) != double(static_cast<std::size_t>(x)))
+      fail(std::string(what) + " is negative, too large or not a whole number");
+    return static_cast<std::size_t>(x);
+  }
+
   [[noreturn]] void fail_at_end() const
   {
     fail("the file ends here, its header announces " + std::to_string(m_element->count) + " of them");
   }
 
   template <class T>
-  double take()
+  T take()
   {
     if (std::size_t(m_in.end() - m_p) < sizeof(T)) fail_at_end();
     const T value = load<T>(m_p, m_order);
     m_p += sizeof(T);
-    return static_cast<double>(value);
+    return value;
   }
 
   Text_scanner& m_in;
@@ -121,11 +144,11 @@ private:
 // `vertex_index`) of the element `face`, of whatever types; everything else is skipped.
 //
 // CGAL::IO::read_PLY() says neither where nor why it fails and knows lists of 32-bit indices only.
-inline void parse_ply(const std::string& text, const std::string& file, const Mesh_reading_options& options,
-                      Indexed_mesh& mesh)
+inline bool parse_ply(const std::string& text, const std::string& file, const Mesh_reading_options& options,
+                      Indexed_mesh& mesh, const Indexed_mesh* reference = nullptr)
 {
   Text_scanner in(text, file, '\0');
-  Mesh_builder builder(file, options, mesh);
+  Mesh_builder builder(file, options, mesh, reference);
   const Ply_header header = ply_header(in);
   Ply_values values(in, header);
 
@@ -134,11 +157,13 @@ inline void parse_ply(const std::string& text, const std::string& file, const Me
     const bool is_vertex = element.name == "vertex", is_face = element.name == "face";
     double xyz[3] = {0, 0, 0}, ignored = 0;
     std::vector<double*> targets; // where the value of each property goes
+    std::vector<char> is_corners; // whether it is the list of corners
     int coordinates = 0, index_lists = 0;
     for (const Ply_property& p : element.properties) {
       const bool is_coordinate = is_vertex && !p.is_list && p.name.size() == 1 && p.name >= "x" && p.name <= "z";
       coordinates += is_coordinate;
-      index_lists += is_face && p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index");
+      is_corners.push_back(is_face && p.is_list && (p.name == "vertex_indices" || p.name == "vertex_index"));
+      index_lists += is_corners.back();
       targets.push_back(is_coordinate ? &xyz[p.name[0] - 'x'] : &ignored);
     }
     if (is_vertex && coordinates != 3) builder.fail(0, "the vertices lack a property x, y or z");
@@ -156,10 +181,9 @@ inline void parse_ply(const std::string& text, const std::string& file, const Me
           *targets[k] = values.next(p.type);
           continue;
         }
-        const bool is_corners = is_face && (p.name == "vertex_indices" || p.name == "vertex_index");
-        if (is_corners) corners.clear();
+        if (is_corners[k]) corners.clear();
         for (std::size_t n = values.next_index(p.count_type, "the length of a list"); n > 0; --n) {
-          if (is_corners) {
+          if (is_corners[k]) {
             corners.push_back(values.next_index(p.type, "a vertex index"));
           } else {
             values.next(p.type);
@@ -171,7 +195,7 @@ inline void parse_ply(const std::string& text, const std::string& file, const Me
     }
   }
   if (!values.at_end()) builder.fail(values.line(), "the file goes on after all elements that its header announces");
-  builder.finish();
+  return builder.finish();
 }
 
 } // namespace internal

@@ -109,10 +109,10 @@ inline void parse_binary_stl(const std::string& bytes, Mesh_builder& builder, st
 
 // STL, ASCII and binary. A file is binary if its size is what the number of triangles in its header asks for (many
 // binary ones start with "solid" as well), ASCII if it starts with "solid" otherwise.
-inline void parse_stl(const std::string& content, const std::string& file, const Mesh_reading_options& options,
-                      Indexed_mesh& mesh)
+inline bool parse_stl(const std::string& content, const std::string& file, const Mesh_reading_options& options,
+                      Indexed_mesh& mesh, const Indexed_mesh* reference = nullptr)
 {
-  Mesh_builder builder(file, options, mesh);
+  Mesh_builder builder(file, options, mesh, reference);
   const std::size_t header_size = 84, triangle_size = 50;
   const bool has_header = content.size() >= header_size;
   const std::uint64_t triangles =
@@ -132,7 +132,7 @@ inline void parse_stl(const std::string& content, const std::string& file, const
                           " bytes, the file has " + std::to_string(content.size()));
     }
   }
-  builder.finish();
+  return builder.finish();
 }
 
 } // namespace internal
