@@ -1,0 +1,169 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// How the time of each stage grows with the number of vertices N, of frames F, of space levels K and of time levels L,
+// each over a factor of eight while the others stay the same.
+
+#include "animations.h"
+#include "benchmark_support.h"
+
+#include <CGAL/detect_spatio_temporal_features.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace Benchmark;
+
+namespace {
+
+typedef Amf::Frame_sequence<Mesh, double> Sequence;
+typedef std::map<Amf::Stage, double> Stage_times;
+
+struct Stage_timer : Amf::Default_visitor
+{
+  Stage_times seconds;
+  std::chrono::steady_clock::time_point start;
+  void begin(Amf::Stage) { start = std::chrono::steady_clock::now(); }
+  void end(Amf::Stage stage)
+  {
+    seconds[stage] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+};
+
+// The least time of each stage over some detections.
+template <class Options>
+Stage_times stage_times(const Sequence& sequence, const Options& options, const Repetitions& r)
+{
+  Stage_times least;
+  double total = 0;
+  for (std::size_t i = 0; i < r.most && (i < r.least || total < r.seconds); ++i) {
+    Stage_timer timer;
+    total += seconds_of([&] {
+      Amf::Feature_detector<Sequence, Options> detector(sequence, options);
+      std::vector<typename Amf::Feature_detector<Sequence, Options>::Feature> features;
+      detector(std::back_inserter(features), timer);
+    });
+    for (const auto& s : timer.seconds) {
+      double& t = least.emplace(s.first, s.second).first->second;
+      t = (std::min)(t, s.second);
+    }
+  }
+  return least;
+}
+
+// The slope of a line through the logarithms.
+double exponent(const std::vector<double>& x, const std::vector<double>& y)
+{
+  double mean_x = 0, mean_y = 0, covariance = 0, variance = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    mean_x += std::log(x[i]) / double(x.size());
+    mean_y += std::log(y[i]) / double(x.size());
+  }
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    covariance += (std::log(x[i]) - mean_x) * (std::log(y[i]) - mean_y);
+    variance += (std::log(x[i]) - mean_x) * (std::log(x[i]) - mean_x);
+  }
+  return covariance / variance;
+}
+
+struct Run
+{
+  double size; // what is varied
+  Stage_times seconds;
+};
+
+void add_rows(const std::string& varied, const std::string& preset, const std::vector<Run>& runs,
+              const std::vector<Amf::Stage>& stages, Table& table)
+{
+  for (Amf::Stage stage : stages) {
+    std::vector<double> x, y;
+    for (const Run& r : runs) {
+      x.push_back(r.size);
+      y.push_back(r.seconds.at(stage));
+    }
+    table.add(varied, preset, name(stage), x.front(), x.back(), y[0], y[1], y[2], y[3], exponent(x, y));
+  }
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  return run("growth", argc, argv, [](const Arguments& arguments, Report& report) {
+    const Thread_limit limit(1);
+    const Repetitions r = arguments.quick ? Repetitions{1, 1, 0} : Repetitions{3, 5, 1};
+    const std::size_t n = arguments.quick ? 1000 : 2000, f = arguments.quick ? 24 : 48, width = 8;
+    const std::size_t k = arguments.quick ? 4 : 8, l = arguments.quick ? 4 : 8; // the least counts
+    const std::vector<std::size_t> factors = {1, 2, 4, 8};
+    typedef Amf::Stage S;
+
+    const auto radius = [](const Sequence& s) { return 3 * s.rest_shape().mean_edge_length(); };
+    const auto published = [&](const Sequence& s, std::size_t space, std::size_t time) {
+      Amf::Published_options o = Amf::published_options(width);
+      o.sampling.max_space_count = space;
+      o.sampling.max_time_count = time;
+      o.ball_radius = radius(s);
+      return o;
+    };
+    // The same levels, in length and seconds, whatever the resolution.
+    const auto calibrated = [&](const Sequence& s) {
+      Amf::Calibrated_options o;
+      o.sampling.sigma = {0.05 * s.rest_shape().diameter(), 0.2 * s.rest_shape().diameter()};
+      o.sampling.tau = {0.07, 0.25};
+      o.ball_radius = radius(s);
+      return o;
+    };
+
+    std::vector<Run> by_vertices, by_vertices_calibrated, by_vertices_default;
+    std::vector<Run> by_frames, by_frames_calibrated, by_space, by_time;
+    for (std::size_t factor : factors) {
+      const Workload w = figure(n * factor, f);
+      const auto s = w.sequence<double>();
+      const double size = double(s->number_of_vertices());
+      by_vertices.push_back({size, stage_times(*s, published(*s, 2 * k, 2 * l), r)});
+      by_vertices_calibrated.push_back({size, stage_times(*s, calibrated(*s), r)});
+      Amf::Calibrated_options with_default_radius = calibrated(*s);
+      with_default_radius.ball_radius = 0;
+      by_vertices_default.push_back({size, stage_times(*s, with_default_radius, r)});
+    }
+    for (std::size_t factor : factors) {
+      const Workload w = figure(2 * n, f / 2 * factor);
+      const auto s = w.sequence<double>();
+      const double size = double(s->number_of_frames());
+      by_frames.push_back({size, stage_times(*s, published(*s, 2 * k, 2 * l), r)});
+      by_frames_calibrated.push_back({size, stage_times(*s, calibrated(*s), r)});
+    }
+    const Workload w = figure(2 * n, f);
+    const auto s = w.sequence<double>();
+    for (std::size_t factor : factors) {
+      by_space.push_back({double(k * factor), stage_times(*s, published(*s, k * factor, 2 * l), r)});
+      by_time.push_back({double(l * factor), stage_times(*s, published(*s, 2 * k, l * factor), r)});
+    }
+
+    Table table("Growth of the stages",
+                "Seconds on one thread on the figure, while one size goes up to eightfold and the others stay the same (N "
+                "= " + std::to_string(2 * n) + ", F = " + std::to_string(f) + ", K = " + std::to_string(2 * k) +
+                    ", L = " + std::to_string(2 * l) +
+                    "; radius of balls 3 mean edge lengths except where it says default; with the preset calibrated the "
+                    "same levels throughout). Exponent: the slope of a line through the logarithms of the four times.",
+                {"varied", "preset", "stage", "from", "to", "x 1: s", "x 2: s", "x 4: s", "x 8: s", "exponent"});
+    add_rows("N", "published", by_vertices, {S::GEODESIC_BALLS, S::CURVATURE, S::STRAIN, S::SCALE_SPACE, S::EXTREMA},
+             table);
+    add_rows("N", "calibrated", by_vertices_calibrated, {S::CURVATURE, S::STRAIN, S::SCALE_SPACE, S::EXTREMA}, table);
+    add_rows("N, default radius", "calibrated", by_vertices_default, {S::GEODESIC_BALLS, S::CURVATURE}, table);
+    add_rows("F", "published", by_frames, {S::CURVATURE, S::STRAIN, S::SCALE_SPACE, S::EXTREMA}, table);
+    add_rows("F", "calibrated", by_frames_calibrated, {S::CURVATURE, S::STRAIN, S::SCALE_SPACE, S::EXTREMA}, table);
+    add_rows("K", "published", by_space, {S::SCALE_SPACE, S::EXTREMA}, table);
+    add_rows("L", "published", by_time, {S::EXTREMA}, table);
+    report.add(table);
+  });
+}
