@@ -137,8 +137,8 @@ private:
     if (!(ca > 0 && cb > 0 && ab > 0)) return;
     if (ca * ca + cb * cb >= ab * ab) return add(a, b, c, ca, cb, ab, fronts);
 
-    // The plane of the triangle, with c at the origin and a on the x-axis; the vertices left and right of the edge that is
-    // unfolded next.
+    // The plane of the triangle, with c at the origin and a on the x-axis; the vertices left and right of the edge that
+    // is unfolded next.
     constexpr int most_unfoldings = 20;
     const double cosine = (ca * ca + cb * cb - ab * ab) / (2 * ca * cb);
     const Eigen::Vector2d at_a(ca, 0), at_b(cb * cosine, cb * std::sqrt((std::max)(0., 1 - cosine * cosine)));

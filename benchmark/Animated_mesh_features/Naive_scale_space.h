@@ -19,8 +19,8 @@
 
 namespace Benchmark {
 
-// Every smoothing count as the paper describes it, with what is at hand: a level is a dense matrix of doubles (vertices x
-// frames, frames contiguous, the better order of the two for Eigen), one-ring averaging a sparse matrix, and all space
+// Every smoothing count as the paper describes it, with what is at hand: a level is a dense matrix of doubles (vertices
+// x frames, frames contiguous, the better order of the two for Eigen), one-ring averaging a sparse matrix, and all space
 // levels of two time levels are in memory, with the responses of three. Products of a sparse and a dense matrix run on
 // all of Eigen's threads; the other loops have OpenMP's directives, for they need nothing else.
 template <class Response>
@@ -39,8 +39,8 @@ public:
   // How level (k, l) is made.
   enum Order
   {
-    SPACE_FIRST, // from (k - 1, l), by a product with the sparse matrix
-    TIME_FIRST   // from (k, l - 1), by a running mean over the frames, which costs less than the product
+    SPACE_FIRST, // from (k-1, l), by a product with the sparse matrix
+    TIME_FIRST   // from (k, l-1), by a running mean over the frames, which costs less than the product
   };
 
   // `response` has been initialized with the scales of the levels (0..space_count) x (0..time_count).

@@ -47,8 +47,8 @@ struct Workload
   template <class FT>
   std::unique_ptr<Amf::Frame_sequence<Mesh, FT>> sequence() const
   {
-    auto s = std::make_unique<Amf::Frame_sequence<Mesh, FT>>(animation.mesh, animation.frames,
-                                                             animation.frame_duration);
+    auto s =
+        std::make_unique<Amf::Frame_sequence<Mesh, FT>>(animation.mesh, animation.frames, animation.frame_duration);
     if (rest.empty())
       s->set_rest_shape(animation.mesh.points());
     else
@@ -105,8 +105,7 @@ inline Workload horse(const Arguments& a)
 inline Amf::Rest_shape rest_shape(const Mesh& mesh)
 {
   std::vector<Amf::Rest_shape::Point> points;
-  for (const auto v : vertices(mesh))
-    points.emplace_back(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
+  for (const auto v : vertices(mesh)) points.emplace_back(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
   Amf::Rest_shape shape(mesh, get(boost::vertex_index, mesh), points.size());
   shape.set_points(std::move(points));
   return shape;

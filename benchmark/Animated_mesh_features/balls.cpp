@@ -101,7 +101,10 @@ template <class Mesh>
 class Heat_method
 {
 public:
-  explicit Heat_method(const Mesh& mesh) : m_distances(num_vertices(mesh)), m_method(mesh) {}
+  explicit Heat_method(const Mesh& mesh)
+    : m_distances(num_vertices(mesh))
+    , m_method(mesh)
+  {}
 
   const std::vector<double>& operator()(typename Mesh::Vertex_index source)
   {
@@ -217,8 +220,8 @@ private:
 // A policy tells balls, not distances: the distance of a vertex is the radius from which on it is in the ball, found in
 // steps of 1/50 of the radius of interest, one of whose ends that is.
 template <class Policy>
-std::map<Index, Distances>
-distances_by_radii(const Rest_shape& shape, double radius, const std::vector<Index>& sources, const Policy& policy)
+std::map<Index, Distances> distances_by_radii(const Rest_shape& shape, double radius, const std::vector<Index>& sources,
+                                              const Policy& policy)
 {
   std::map<Index, Distances> result;
   const double step = radius / 50;
@@ -236,13 +239,15 @@ void compare_errors(const std::string& name, const Mesh& mesh, const Arguments& 
   const double radius = edges_in_radius * shape.mean_edge_length();
   const std::vector<Index> sources = sample(shape, arguments.quick ? 10 : 200);
   const Error_measure errors(shape, radius, sources);
-  Table table("Errors of geodesic balls: " + name,
-              "N = " + std::to_string(shape.number_of_vertices()) + ", radius 3 mean edge lengths, " +
-                  std::to_string(sources.size()) + " sources. Reference: CGAL::Surface_mesh_shortest_path. Error of the "
-                  "distance: mean over vertices between half of the radius and the radius. Edges in common: those with "
-                  "both ends in the ball, intersection over union. The distances of policies follow from their balls of "
-                  "56 radii, and are known to 1 % of the radius.",
-              {"method", "error of the distance %", "edges in common"});
+  Table table(
+      "Errors of geodesic balls: " + name,
+      "N = " + std::to_string(shape.number_of_vertices()) + ", radius 3 mean edge lengths, " +
+          std::to_string(sources.size()) +
+          " sources. Reference: CGAL::Surface_mesh_shortest_path. Error of the "
+          "distance: mean over vertices between half of the radius and the radius. Edges in common: those with "
+          "both ends in the ball, intersection over union. The distances of policies follow from their balls of "
+          "56 radii, and are known to 1 % of the radius.",
+      {"method", "error of the distance %", "edges in common"});
   const auto add = [&](const char* method, const Errors& e) { table.add(method, 100 * e.distances, e.edges); };
   const auto add_policy = [&](const char* method, const auto& policy) {
     const std::map<Index, Distances> d = distances_by_radii(shape, radius, sources, policy);
@@ -329,7 +334,10 @@ void compare_times(const Mesh& mesh, const Arguments& arguments, Table& table)
     }
 }
 
-Mesh figure_mesh(std::size_t vertices) { return figure(vertices, 1).animation.mesh; }
+Mesh figure_mesh(std::size_t vertices)
+{
+  return figure(vertices, 1).animation.mesh;
+}
 
 } // namespace
 

@@ -176,7 +176,10 @@ inline std::map<std::string, double> in_child_process(const std::function<std::m
 
 // ------------------------------------------------------------------------------------------------------------ threads
 
-inline std::size_t number_of_cores() { return (std::max)(1u, std::thread::hardware_concurrency()); }
+inline std::size_t number_of_cores()
+{
+  return (std::max)(1u, std::thread::hardware_concurrency());
+}
 
 // 1 and all, where there are several.
 inline std::vector<std::size_t> thread_counts()
@@ -218,20 +221,44 @@ struct Policy_loop
     for (std::size_t i = 0; i < n; ++i) task(i);
 #endif
   }
-  Policy_loop part(std::size_t, std::size_t) const { return *this; }
+  Policy_loop part(std::size_t, std::size_t) const
+  {
+    return *this;
+  }
 };
 
 // ------------------------------------------------------------------------------------------------------------- tables
 
 typedef std::variant<std::monostate, std::string, std::size_t, double> Cell;
 
-inline Cell cell(const Cell& c) { return c; }
-inline Cell cell(std::monostate) { return Cell(); }
-inline Cell cell(const char* s) { return Cell(std::string(s)); }
-inline Cell cell(const std::string& s) { return Cell(s); }
-inline Cell cell(double x) { return Cell(x); }
-inline Cell cell(std::size_t n) { return Cell(n); }
-inline Cell cell(int n) { return Cell(std::size_t(n)); }
+inline Cell cell(const Cell& c)
+{
+  return c;
+}
+inline Cell cell(std::monostate)
+{
+  return Cell();
+}
+inline Cell cell(const char* s)
+{
+  return Cell(std::string(s));
+}
+inline Cell cell(const std::string& s)
+{
+  return Cell(s);
+}
+inline Cell cell(double x)
+{
+  return Cell(x);
+}
+inline Cell cell(std::size_t n)
+{
+  return Cell(n);
+}
+inline Cell cell(int n)
+{
+  return Cell(std::size_t(n));
+}
 
 constexpr std::monostate nothing = std::monostate();
 
@@ -287,8 +314,7 @@ public:
     : m_title(std::move(title))
     , m_note(std::move(note))
     , m_columns(std::move(columns))
-  {
-  }
+  {}
 
   template <class... T>
   void add(const T&... values)
@@ -364,8 +390,7 @@ public:
   Report(std::string name, const Arguments& arguments)
     : m_name(std::move(name))
     , m_arguments(arguments)
-  {
-  }
+  {}
 
   void add(const Table& table)
   {

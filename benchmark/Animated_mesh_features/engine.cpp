@@ -111,8 +111,7 @@ typedef Naive_scale_space<Amf::Forward_difference_of_gaussians> Naive;
 std::vector<Minimum> converted(const std::vector<Naive::Minimum>& minima)
 {
   std::vector<Minimum> result;
-  for (const Naive::Minimum& m : minima)
-    result.push_back({m.vertex, m.frame, double(m.k), double(m.l), -m.response});
+  for (const Naive::Minimum& m : minima) result.push_back({m.vertex, m.frame, double(m.k), double(m.l), -m.response});
   return result;
 }
 
@@ -136,9 +135,8 @@ Agreement agreement(const std::vector<Minimum>& some, const std::vector<Minimum>
     if (!(m.strength > 1e-6 * strongest)) continue;
     ++result.strong;
     const auto& here = at[{m.vertex, m.frame}];
-    if (std::any_of(here.begin(), here.end(), [&](const Minimum* o) {
-          return std::abs(o->k - m.k) < 0.75 && std::abs(o->l - m.l) < 0.75;
-        }))
+    if (std::any_of(here.begin(), here.end(),
+                    [&](const Minimum* o) { return std::abs(o->k - m.k) < 0.75 && std::abs(o->l - m.l) < 0.75; }))
       ++result.again;
     else
       result.strongest_missing = (std::max)(result.strongest_missing, m.strength / strongest);
@@ -179,19 +177,20 @@ public:
     const std::size_t n = m_field.number_of_rows(), f = m_field.number_of_frames();
     Table table(
         "Scale space of every smoothing count: " + name,
-        "N = " + std::to_string(n) + " vertices, F = " + std::to_string(f) + " frames, K = " +
-            std::to_string(m_counts.space) + ", L = " + std::to_string(m_counts.time) + ", box of " +
+        "N = " + std::to_string(n) + " vertices, F = " + std::to_string(f) +
+            " frames, K = " + std::to_string(m_counts.space) + ", L = " + std::to_string(m_counts.time) + ", box of " +
             std::to_string(m_counts.box_width) +
-            " frames; a sample is a vertex, frame, k and l. The naive pipeline makes level (k, l) from (k - 1, l) by a "
-            "product with a sparse matrix, as the paper describes it, or from (k, l - 1) by running means. Memory: the "
+            " frames; a sample is a vertex, frame, k and l. The naive pipeline makes level (k, l) from (k-1, l) by a "
+            "product with a sparse matrix, as the paper describes it, or from (k, l-1) by running means. Memory: the "
             "peak over the input and what the program had before; arrays: counted. Share of the kernel: the rate over "
             "that of as many cores that run the isolated kernel in their L1 caches.",
         {"pipeline", "threads", "s", "1e9 samples/s", "naive / this", "memory MB", "arrays MB", "share of the kernel"});
-    Table same("The same minima: " + name,
-               "Those of the naive pipeline, in double precision, that are stronger than 1e-6 of the strongest, and what "
-               "the detector finds of them without thresholds and suppression; and those that only the detector has. "
-               "The detector leaves out what could be rounding errors of its scalar.",
-               {"detector", "naive minima", "found", "strongest missing / strongest", "only the detector"});
+    Table same(
+        "The same minima: " + name,
+        "Those of the naive pipeline, in double precision, that are stronger than 1e-6 of the strongest, and what "
+        "the detector finds of them without thresholds and suppression; and those that only the detector has. "
+        "The detector leaves out what could be rounding errors of its scalar.",
+        {"detector", "naive minima", "found", "strongest missing / strongest", "only the detector"});
     const double kernel = kernel_rate();
     for (std::size_t threads : thread_counts()) {
       const bool is_last = threads == thread_counts().back();
@@ -202,8 +201,8 @@ public:
                   1e-6 * v.at("memory"), v.count("arrays") ? Cell(1e-6 * v.at("arrays")) : Cell(),
                   rate / (kernel * double(threads)));
       };
-      add("naive, (k, l) from (k - 1, l)", naive);
-      add("naive, (k, l) from (k, l - 1)", naive_values(Naive::TIME_FIRST, threads, false));
+      add("naive, (k, l) from (k-1, l)", naive);
+      add("naive, (k, l) from (k, l-1)", naive_values(Naive::TIME_FIRST, threads, false));
       add("Feature_detector, double", detector_values(*m_double, threads));
       add("Feature_detector, float", detector_values(*m_float, threads));
       if (!is_last) continue;
@@ -238,8 +237,8 @@ private:
   {
     return in_child_process([&] {
       set_openmp_threads(threads);
-      const Amf::Forward_difference_of_gaussians r = weights(
-          m_double->rest_shape(), m_field.number_of_frames(), m_double->frame_duration(), m_counts);
+      const Amf::Forward_difference_of_gaussians r =
+          weights(m_double->rest_shape(), m_field.number_of_frames(), m_double->frame_duration(), m_counts);
       const Peak_memory memory;
       const Naive pipeline(m_double->rest_shape(), m_field.number_of_frames(), m_counts.box_width, m_counts.space,
                            m_counts.time, r, order);
@@ -297,10 +296,12 @@ private:
 
 void print_kernel(const Arguments& arguments, Report& report)
 {
-  Table table("Isolated kernel of the scale space",
-              "Two box averages, their weighted sum, comparison with 8 scales and 2 frames, in the L1 cache of one core; "
-              "registers of " + std::to_string(8 * register_bytes()) + " bits.",
-              {"box width", "1e9 samples/s"});
+  Table table(
+      "Isolated kernel of the scale space",
+      "Two box averages, their weighted sum, comparison with 8 scales and 2 frames, in the L1 cache of one core; "
+      "registers of " +
+          std::to_string(8 * register_bytes()) + " bits.",
+      {"box width", "1e9 samples/s"});
   for (std::size_t width : {5, 8, 10, 20}) {
     Scale_space_kernel kernel(width, arguments.quick ? 2000 : 20000);
     table.add(width, 1e-9 * kernel.samples() / least_seconds([&] { run_widest(kernel); }, Repetitions{5, 50, 1}));

@@ -149,13 +149,15 @@ int main(int argc, char* argv[])
       by_time.push_back({double(l * factor), stage_times(*s, published(*s, 2 * k, l * factor), r)});
     }
 
-    Table table("Growth of the stages",
-                "Seconds on one thread on the figure, while one size goes up to eightfold and the others stay the same (N "
-                "= " + std::to_string(2 * n) + ", F = " + std::to_string(f) + ", K = " + std::to_string(2 * k) +
-                    ", L = " + std::to_string(2 * l) +
-                    "; radius of balls 3 mean edge lengths except where it says default; with the preset calibrated the "
-                    "same levels throughout). Exponent: the slope of a line through the logarithms of the four times.",
-                {"varied", "preset", "stage", "from", "to", "x 1: s", "x 2: s", "x 4: s", "x 8: s", "exponent"});
+    Table table(
+        "Growth of the stages",
+        "Seconds on one thread on the figure, while one size goes up to eightfold and the others stay the same (N "
+        "= " +
+            std::to_string(2 * n) + ", F = " + std::to_string(f) + ", K = " + std::to_string(2 * k) +
+            ", L = " + std::to_string(2 * l) +
+            "; radius of balls 3 mean edge lengths except where it says default; with the preset calibrated the "
+            "same levels throughout). Exponent: the slope of a line through the logarithms of the four times.",
+        {"varied", "preset", "stage", "from", "to", "x 1: s", "x 2: s", "x 4: s", "x 8: s", "exponent"});
     add_rows("N", "published", by_vertices, {S::GEODESIC_BALLS, S::CURVATURE, S::STRAIN, S::SCALE_SPACE, S::EXTREMA},
              table);
     add_rows("N", "calibrated", by_vertices_calibrated, {S::CURVATURE, S::STRAIN, S::SCALE_SPACE, S::EXTREMA}, table);

@@ -23,13 +23,13 @@ namespace Benchmark {
 
 template <class T, std::size_t bytes>
 struct Vector;
-#define BENCHMARK_VECTOR(T, Integer, bytes) \
-  template <> \
-  struct Vector<T, bytes> \
-  { \
-    typedef T type __attribute__((vector_size(bytes))); \
-    typedef Integer Mask __attribute__((vector_size(bytes))); \
-    static constexpr std::size_t lanes = bytes / sizeof(T); \
+#define BENCHMARK_VECTOR(T, Integer, bytes)                                                                            \
+  template <>                                                                                                          \
+  struct Vector<T, bytes>                                                                                              \
+  {                                                                                                                    \
+    typedef T type __attribute__((vector_size(bytes)));                                                                \
+    typedef Integer Mask __attribute__((vector_size(bytes)));                                                          \
+    static constexpr std::size_t lanes = bytes / sizeof(T);                                                            \
   };
 BENCHMARK_VECTOR(float, std::int32_t, 16)
 BENCHMARK_VECTOR(float, std::int32_t, 32)
@@ -128,8 +128,7 @@ struct Triad_kernel
     , b(a.size(), 1)
     , c(a.size(), 2)
     , sweeps(number_of_sweeps)
-  {
-  }
+  {}
 
   double bytes_moved() const { return 24. * double(a.size()) * double(sweeps); }
 
@@ -167,8 +166,7 @@ struct Scale_space_kernel
     : box_width(width)
     , time_levels(levels)
     , memory((4 + 3 + 2) * rows * frames * 16)
-  {
-  }
+  {}
 
   double samples() const { return double(rows * frames * time_levels * (register_bytes() / sizeof(float))); }
 
@@ -179,9 +177,9 @@ struct Scale_space_kernel
     typedef typename Vector<float, bytes>::Mask Mask;
     V* const base = reinterpret_cast<V*>(memory.data());
     constexpr std::size_t plane = rows * frames;
-    V *in = base, *out = base + 2 * plane;   // two differences each
-    V* const d = base + 4 * plane;           // of three time levels
-    V* const least_of_three = base + 7 * plane, *const least_of_two = base + 8 * plane; // over time levels
+    V *in = base, *out = base + 2 * plane;                                              // two differences each
+    V* const d = base + 4 * plane;                                                      // of three time levels
+    V *const least_of_three = base + 7 * plane, *const least_of_two = base + 8 * plane; // over time levels
     std::uint32_t seed = 1;
     for (std::size_t i = 0; i < 2 * plane; ++i)
       for (std::size_t j = 0; j < Vector<float, bytes>::lanes; ++j) {
@@ -238,8 +236,8 @@ struct Scale_space_kernel
         const V *one = least_of_three + (k + 1) % rows * frames, *other = least_of_three + (k + 2) % rows * frames;
         const V *same = least_of_two + k * frames, *centre = before + k * frames;
         for (std::size_t f = 1; f + 1 < frames; ++f) {
-          // Comparisons of vectors become branches in g++ 12, except those for a minimum; a minimum is below the least of
-          // its neighbours and zero, and the sign of the difference is a bit.
+          // Comparisons of vectors become branches in g++ 12, except those for the lesser of two. A minimum is below the
+          // least of its neighbours and zero, and the sign of the difference is a bit.
           const V c = centre[f], before_it = centre[f - 1], behind_it = centre[f + 1];
           V least = before_it < behind_it ? before_it : behind_it;
           least = least < one[f] ? least : one[f];

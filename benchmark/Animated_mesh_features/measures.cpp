@@ -46,7 +46,10 @@ Amf::Compressed_rows single_vertices(std::size_t n)
   return rows;
 }
 
-Eigen::Vector3d to_eigen(const Point_3& p) { return Eigen::Vector3d(p.x(), p.y(), p.z()); }
+Eigen::Vector3d to_eigen(const Point_3& p)
+{
+  return Eigen::Vector3d(p.x(), p.y(), p.z());
+}
 
 // The edges of a triangle and its unit normal.
 Eigen::Matrix3d edges_and_normal(const Point_3& p, const Point_3& q, const Point_3& r)
@@ -90,8 +93,8 @@ void naive_strain(const Workload& w, const Rest_shape& shape, Field& strain)
 // The signed dihedral angle at an edge, positive where convex: CGAL's is between the two triangles, in degrees.
 double naive_angle(const std::vector<Point_3>& points, const Rest_shape::Edge& e)
 {
-  const double between = CGAL::approximate_dihedral_angle(points[e.source], points[e.target], points[e.left],
-                                                          points[e.right]);
+  const double between =
+      CGAL::approximate_dihedral_angle(points[e.source], points[e.target], points[e.left], points[e.right]);
   const double pi = 3.14159265358979323846;
   return (between > 0 ? pi : -pi) - between * (pi / 180);
 }
@@ -183,8 +186,8 @@ std::function<void()> with_threads(std::size_t threads, const Function& f)
   };
 }
 
-void compare_strain(const Workload& w, const Sequence& sequence, const Float_sequence& floats,
-                    const std::string& size, const Arguments& arguments, Report& report)
+void compare_strain(const Workload& w, const Sequence& sequence, const Float_sequence& floats, const std::string& size,
+                    const Arguments& arguments, Report& report)
 {
   const Rest_shape& shape = sequence.rest_shape();
   const Amf::Largest_eigenvalue_strain largest;
@@ -205,22 +208,20 @@ void compare_strain(const Workload& w, const Sequence& sequence, const Float_seq
       {"Eigen, 3 x 3, iterative", 1, [&] { naive_strain<false>(w, shape, other); }, Cell()},
       {"Eigen, 3 x 3, closed form", 1, [&] { naive_strain<true>(w, shape, other); }, difference(other)}};
   for (std::size_t threads : thread_counts()) {
-    methods.push_back({"triangle_strain(), the same measure, double", threads, with_threads(threads, [&](auto tag) {
-                         Amf::triangle_strain<decltype(tag)>(sequence, largest);
-                       }),
+    methods.push_back({"triangle_strain(), the same measure, double", threads,
+                       with_threads(threads, [&](auto tag) { Amf::triangle_strain<decltype(tag)>(sequence, largest); }),
                        difference(Amf::triangle_strain(sequence, largest))});
-    methods.push_back({"triangle_strain(), the same measure, float", threads, with_threads(threads, [&](auto tag) {
-                         Amf::triangle_strain<decltype(tag)>(floats, largest);
-                       }),
+    methods.push_back({"triangle_strain(), the same measure, float", threads,
+                       with_threads(threads, [&](auto tag) { Amf::triangle_strain<decltype(tag)>(floats, largest); }),
                        difference(Amf::triangle_strain(floats, largest))});
-    methods.push_back({"triangle_strain(), Hencky, double", threads, with_threads(threads, [&](auto tag) {
-                         Amf::triangle_strain<decltype(tag)>(sequence, hencky);
-                       }),
+    methods.push_back({"triangle_strain(), Hencky, double", threads,
+                       with_threads(threads, [&](auto tag) { Amf::triangle_strain<decltype(tag)>(sequence, hencky); }),
                        Cell()});
   }
   Table table("Strain of triangles: " + w.name,
-              size + " Largest eigenvalue of the Cauchy-Green tensor of each triangle in each frame; what is written to "
-                     "memory included. Difference: relative to 1 + the eigenvalue.",
+              size +
+                  " Largest eigenvalue of the Cauchy-Green tensor of each triangle in each frame; what is written to "
+                  "memory included. Difference: relative to 1 + the eigenvalue.",
               columns("(triangle, frame)"));
   add_rows(methods, double(shape.triangles().size()) * double(sequence.number_of_frames()), arguments, table);
   report.add(table);
@@ -238,23 +239,20 @@ void compare_curvature(const Workload& w, const Sequence& sequence, const Float_
     std::vector<Method> methods = {
         {"CGAL::approximate_dihedral_angle()", 1, [&] { naive_angles(w, shape, angles); }, Cell()}};
     for (std::size_t threads : thread_counts()) {
-      methods.push_back({"curvature(), angles, double", threads, with_threads(threads, [&](auto tag) {
-                           Amf::curvature<decltype(tag)>(sequence, none, angle);
-                         }),
+      methods.push_back({"curvature(), angles, double", threads,
+                         with_threads(threads, [&](auto tag) { Amf::curvature<decltype(tag)>(sequence, none, angle); }),
                          Cell()});
-      methods.push_back({"curvature(), angles, float", threads, with_threads(threads, [&](auto tag) {
-                           Amf::curvature<decltype(tag)>(floats, none, angle);
-                         }),
+      methods.push_back({"curvature(), angles, float", threads,
+                         with_threads(threads, [&](auto tag) { Amf::curvature<decltype(tag)>(floats, none, angle); }),
                          Cell()});
-      methods.push_back({"curvature(), angles, lengths and areas, double", threads,
-                         with_threads(threads, [&](auto tag) {
-                           Amf::curvature<decltype(tag)>(sequence, none, density);
-                         }),
-                         Cell()});
+      methods.push_back(
+          {"curvature(), angles, lengths and areas, double", threads,
+           with_threads(threads, [&](auto tag) { Amf::curvature<decltype(tag)>(sequence, none, density); }), Cell()});
     }
     Table table("Dihedral angles of edges: " + w.name,
-                size + " The package computes the angles of edges on the way to curvatures: curvature() with balls that "
-                       "hold their centre only, which leaves nothing to sum but memory to write.",
+                size +
+                    " The package computes the angles of edges on the way to curvatures: curvature() with balls that "
+                    "hold their centre only, which leaves nothing to sum but memory to write.",
                 columns("(edge, frame)"));
     add_rows(methods, double(shape.edges().size()) * double(sequence.number_of_frames()), arguments, table);
     report.add(table);
@@ -264,23 +262,18 @@ void compare_curvature(const Workload& w, const Sequence& sequence, const Float_
   const Amf::Compressed_rows edges = edges_in_balls(shape, balls);
   Field reference(shape.number_of_vertices(), sequence.number_of_frames()), other = reference;
   naive_curvature(w, shape, edges, angles, reference);
-  std::vector<Method> methods = {
-      {"CGAL::approximate_dihedral_angle(), plain sums", 1,
-       [&] { naive_curvature(w, shape, edges, angles, other); }, Cell()}};
+  std::vector<Method> methods = {{"CGAL::approximate_dihedral_angle(), plain sums", 1,
+                                  [&] { naive_curvature(w, shape, edges, angles, other); }, Cell()}};
   for (std::size_t threads : thread_counts()) {
-    methods.push_back({"curvature(), the same measure, double", threads, with_threads(threads, [&](auto tag) {
-                         Amf::curvature<decltype(tag)>(sequence, balls, angle);
-                       }),
+    methods.push_back({"curvature(), the same measure, double", threads,
+                       with_threads(threads, [&](auto tag) { Amf::curvature<decltype(tag)>(sequence, balls, angle); }),
                        cell(largest_difference(Amf::curvature(sequence, balls, angle), reference))});
-    methods.push_back({"curvature(), the same measure, float", threads, with_threads(threads, [&](auto tag) {
-                         Amf::curvature<decltype(tag)>(floats, balls, angle);
-                       }),
+    methods.push_back({"curvature(), the same measure, float", threads,
+                       with_threads(threads, [&](auto tag) { Amf::curvature<decltype(tag)>(floats, balls, angle); }),
                        cell(largest_difference(Amf::curvature(floats, balls, angle), reference))});
-    methods.push_back({"curvature(), density of mean curvature, double", threads,
-                       with_threads(threads, [&](auto tag) {
-                         Amf::curvature<decltype(tag)>(sequence, balls, density);
-                       }),
-                       Cell()});
+    methods.push_back(
+        {"curvature(), density of mean curvature, double", threads,
+         with_threads(threads, [&](auto tag) { Amf::curvature<decltype(tag)>(sequence, balls, density); }), Cell()});
   }
   Table table("Curvature of vertices: " + w.name,
               size + " Mean dihedral angle of the edges in each ball of 3 mean edge lengths (" +

@@ -41,7 +41,7 @@ typedef Amf::Rest_shape Rest_shape;
 typedef Amf::Frame_sequence<Mesh, double> Sequence;
 typedef Amf::Frame_sequence<Mesh, float> Float_sequence;
 
-// --------------------------------------------------------------------------------------------------------------- bounds
+// -------------------------------------------------------------------------------------------------------------- bounds
 
 // Runs a kernel for each of several threads at once; returns the time in which all of them are done.
 template <class Kernel>
@@ -80,7 +80,8 @@ double bandwidth(std::size_t bytes_per_thread, std::size_t threads, const Argume
   const double moved = arguments.quick ? 2e8 : 2e9; // by each thread in a run
   std::vector<std::unique_ptr<Triad_kernel>> kernels;
   for (std::size_t i = 0; i < threads; ++i)
-    kernels.push_back(std::make_unique<Triad_kernel>(bytes_per_thread, 1 + std::size_t(moved / double(bytes_per_thread))));
+    kernels.push_back(
+        std::make_unique<Triad_kernel>(bytes_per_thread, 1 + std::size_t(moved / double(bytes_per_thread))));
   double bytes = 0;
   for (const auto& k : kernels) bytes += k->bytes_moved();
   return bytes / least_seconds_of_all(kernels, repetitions(arguments));
@@ -150,7 +151,11 @@ void add_row(const Stage_cost& c, double seconds, const Bounds& b, Table& table)
   const bool is_compute_bound = compute <= bytes * intensity;
   const double bound = is_compute_bound ? compute : bytes * intensity;
   table.add(c.name, b.threads, c.unit, c.operations, c.bytes, intensity, 1e-9 * rate, 1e-9 * bound,
-            is_compute_bound ? "arithmetic" : in_l2 ? "L2" : in_l3 ? "L3" : "memory", 100 * rate / bound);
+            is_compute_bound ? "arithmetic"
+            : in_l2          ? "L2"
+            : in_l3          ? "L3"
+                             : "memory",
+            100 * rate / bound);
 }
 
 struct Factor
@@ -183,8 +188,8 @@ Factor factor(const Rest_shape& shape, const std::vector<Rest_shape::Index>& ver
   return result;
 }
 
-// Two solves of the equations of a cluster's patch for each vertex, as Heat_method_geodesic_balls documents it: 64 vertices,
-// and a patch of one radius and three edge lengths around them.
+// Two solves of the equations of a cluster's patch for each vertex, as Heat_method_geodesic_balls documents it: 64
+// vertices, and a patch of one radius and three edge lengths around them.
 Stage_cost balls_cost(const Rest_shape& shape, double radius)
 {
   const double h = shape.mean_edge_length();
@@ -207,8 +212,13 @@ Stage_cost balls_cost(const Rest_shape& shape, double radius)
     // Both factors, values and indices, in and out of the caches once for the cluster.
     bytes += 2 * 2 * 12 * f.entries / double(cluster);
   }
-  return {"geodesic balls, heat method", "ball", true, double(shape.number_of_vertices()),
-          operations / double(samples), bytes / double(samples), 2 * bytes * double(cluster) / double(samples)};
+  return {"geodesic balls, heat method",
+          "ball",
+          true,
+          double(shape.number_of_vertices()),
+          operations / double(samples),
+          bytes / double(samples),
+          2 * bytes * double(cluster) / double(samples)};
 }
 
 template <class Seq>
@@ -231,11 +241,12 @@ double engine_seconds(const Seq& sequence, const Amf::Spatio_temporal_field<type
 int main(int argc, char* argv[])
 {
   return run("roofline", argc, argv, [](const Arguments& arguments, Report& report) {
-    Table bounds("Bounds of the machine",
-                 "Multiply-and-add in registers, twelve chains; STREAM's triad on doubles, 24 bytes an element, in half of "
-                 "the L2 cache, in half of L3 and in memory. Registers of " +
-                     std::to_string(8 * register_bytes()) + " bits.",
-                 {"threads", "float GF/s", "double GF/s", "L2 GB/s", "L3 GB/s", "memory GB/s"});
+    Table bounds(
+        "Bounds of the machine",
+        "Multiply-and-add in registers, twelve chains; STREAM's triad on doubles, 24 bytes an element, in half of "
+        "the L2 cache, in half of L3 and in memory. Registers of " +
+            std::to_string(8 * register_bytes()) + " bits.",
+        {"threads", "float GF/s", "double GF/s", "L2 GB/s", "L3 GB/s", "memory GB/s"});
     std::vector<Bounds> measured;
     for (std::size_t threads : thread_counts()) {
       measured.push_back(measured_bounds(threads, arguments));
@@ -252,15 +263,15 @@ int main(int argc, char* argv[])
     const double triangles = double(shape.triangles().size());
     const double radius = 3 * shape.mean_edge_length();
 
-    Table table("Shares of the bounds: " + w.name,
-                "N = " + std::to_string(shape.number_of_vertices()) + ", F = " +
-                    std::to_string(sequence->number_of_frames()) +
-                    ". Operations: additions, multiplications, comparisons and square roots that the formulas need, one "
-                    "each. Bytes: what has to come from or go to the smallest cache that holds all of it, once. Bound: the "
-                    "smaller of the peak and of bandwidth times operations a byte. The peak needs as many additions as "
-                    "multiplications, in pairs, which no stage has: half of it is much.",
-                {"stage", "threads", "unit", "operations", "bytes", "operations / byte", "1e9 operations / s", "bound",
-                 "bound by", "share of the bound %"});
+    Table table(
+        "Shares of the bounds: " + w.name,
+        "N = " + std::to_string(shape.number_of_vertices()) + ", F = " + std::to_string(sequence->number_of_frames()) +
+            ". Operations: additions, multiplications, comparisons and square roots that the formulas need, one "
+            "each. Bytes: what has to come from or go to the smallest cache that holds all of it, once. Bound: the "
+            "smaller of the peak and of bandwidth times operations a byte. The peak needs as many additions as "
+            "multiplications, in pairs, which no stage has: half of it is much.",
+        {"stage", "threads", "unit", "operations", "bytes", "operations / byte", "1e9 operations / s", "bound",
+         "bound by", "share of the bound %"});
 
     const std::size_t space = arguments.quick ? 8 : 64, time = arguments.quick ? 8 : 54;
     Amf::Published_options published = Amf::published_options(8);
@@ -277,28 +288,37 @@ int main(int argc, char* argv[])
     // A level is written once and read twice, by the next level and by the responses.
     const auto engine_cost = [&](const char* name, bool in_double) {
       const double scalar = in_double ? 8 : 4;
-      return Stage_cost{name, "sample", in_double, samples, engine_operations, 3 * 2 * scalar / double(time),
-                        16 * n * f * scalar};
+      return Stage_cost{
+          name, "sample", in_double, samples, engine_operations, 3 * 2 * scalar / double(time), 16 * n * f * scalar};
     };
 
     // The levels of the preset, on the horse some ten.
     std::vector<double> variances;
-    for (std::size_t k = 0; k < 9; ++k) variances.push_back(std::pow(2., double(k)) * std::pow(0.01 * shape.diameter(), 2));
+    for (std::size_t k = 0; k < 9; ++k)
+      variances.push_back(std::pow(2., double(k)) * std::pow(0.01 * shape.diameter(), 2));
     std::vector<Rest_shape::Index> all;
     for (std::size_t v = 0; v < shape.number_of_vertices(); ++v) all.push_back(Rest_shape::Index(v));
     const Factor whole = factor(shape, all);
     const double lanes = double(register_bytes()) / sizeof(float);
     // Two solves a level, each forward and back; the factor (value and index) comes once a pass for as many frames as a
     // register holds. One factorisation a level.
-    const Stage_cost diffusion = {"heat diffusion", "level, frame", false, double(variances.size()) * f,
+    const Stage_cost diffusion = {"heat diffusion",
+                                  "level, frame",
+                                  false,
+                                  double(variances.size()) * f,
                                   2 * 4 * whole.entries + whole.operations / f,
                                   2 * 2 * 8 * whole.entries / lanes + 2 * 2 * 2 * 4 * n,
                                   8 * whole.entries + 2 * n * f * 4};
-    // Edges 6, in the rest frame 12, first fundamental form 15, eigenvalues 10, measure 1. Three coordinates of a vertex, of
-    // which there are half as many as triangles, and the result.
+    // Edges 6, in the rest frame 12, first fundamental form 15, eigenvalues 10, measure 1. Three coordinates of a
+    // vertex, of which there are half as many as triangles, and the result.
     const auto strain_cost = [&](const char* name, bool in_double) {
       const double scalar = in_double ? 8 : 4;
-      return Stage_cost{name, "triangle, frame", in_double, triangles * f, 44, (3 * n / triangles + 1) * scalar,
+      return Stage_cost{name,
+                        "triangle, frame",
+                        in_double,
+                        triangles * f,
+                        44,
+                        (3 * n / triangles + 1) * scalar,
                         (3 * n + triangles) * f * scalar};
     };
     const Stage_cost ball = balls_cost(shape, radius);
