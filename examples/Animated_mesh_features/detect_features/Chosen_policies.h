@@ -9,9 +9,7 @@
 
 #include "Choices.h"
 
-#include <CGAL/Animated_mesh_features/Box_temporal_filter.h>
 #include <CGAL/Animated_mesh_features/Dijkstra_geodesic_balls.h>
-#include <CGAL/Animated_mesh_features/Gaussian_temporal_filter.h>
 #include <CGAL/Animated_mesh_features/Heat_diffusion_filter.h>
 #include <CGAL/Animated_mesh_features/Heat_method_geodesic_balls.h>
 #include <CGAL/Animated_mesh_features/One_ring_average_filter.h>
@@ -23,8 +21,9 @@
 #include <vector>
 
 // Policies of which the kind is chosen when the program runs. Each models the same concept as its alternatives, so that
-// the detector is compiled once and not for every combination. They are asked for whole blocks of frames, rows or
-// levels: finding the alternative costs nothing beside that.
+// the detector is compiled once and not for every combination. They are asked for whole blocks of frames or levels:
+// finding the alternative costs nothing beside that. (Not so for temporal filters, which the search compiles into its
+// inner loop.)
 
 namespace Detect_features {
 
@@ -114,38 +113,6 @@ public:
   void operator()(std::size_t k, const Field& in, Field& out, const Loop& loop)
   {
     std::visit([&](auto& filter) { filter(k, in, out, loop); }, m_filter);
-  }
-
-private:
-  Filter m_filter;
-};
-
-class Chosen_temporal_filter
-{
-  typedef std::variant<AMF::Gaussian_temporal_filter, AMF::Box_temporal_filter> Filter;
-
-public:
-  explicit Chosen_temporal_filter(Filter filter = AMF::Gaussian_temporal_filter())
-    : m_filter(std::move(filter))
-  {}
-
-  double unit_variance(std::size_t number_of_frames, double frame_duration) const
-  {
-    return std::visit([&](const auto& filter) { return filter.unit_variance(number_of_frames, frame_duration); },
-                      m_filter);
-  }
-  void initialize(std::size_t number_of_frames, double frame_duration, const std::vector<double>& variances)
-  {
-    std::visit([&](auto& filter) { filter.initialize(number_of_frames, frame_duration, variances); }, m_filter);
-  }
-  double variance(std::size_t l) const
-  {
-    return std::visit([&](const auto& filter) { return filter.variance(l); }, m_filter);
-  }
-  template <class FT>
-  void operator()(std::size_t l, const FT* in, FT* out) const
-  {
-    std::visit([&](const auto& filter) { filter(l, in, out); }, m_filter);
   }
 
 private:

@@ -64,9 +64,9 @@ Values deformation(const Sequence& sequence, const Command_line& c, const Curvat
   return sum;
 }
 
-template <class Sampling, class Response>
+template <class TemporalFilter, class Sampling, class Response>
 void find_features(const Sequence& sequence, Values deformation, const Chosen_spatial_filter& spatial,
-                   const Chosen_temporal_filter& temporal, const Sampling& sampling, const Response& response,
+                   const TemporalFilter& temporal, const Sampling& sampling, const Response& response,
                    Detection& result, Monitor& monitor)
 {
   auto options = AMF::calibrated_options()
@@ -112,18 +112,21 @@ Detection detect(const Sequence& sequence, const Command_line& c, Result_files& 
   const Chosen_spatial_filter spatial = c.spatial_filter == Spatial_filter::ONE_RING
                                             ? Chosen_spatial_filter(AMF::One_ring_average_filter(!is_published))
                                             : Chosen_spatial_filter(AMF::Heat_diffusion_filter());
-  const Chosen_temporal_filter temporal = c.temporal_filter == Temporal_filter::BOX
-                                              ? Chosen_temporal_filter(AMF::Box_temporal_filter(result.box_width))
-                                              : Chosen_temporal_filter(AMF::Gaussian_temporal_filter());
-  if (!is_published) {
-    find_features(sequence, std::move(field), spatial, temporal, fixed_ratio_sampling(sequence, c),
-                  AMF::Central_difference_of_gaussians(), result, monitor);
-    return result;
-  }
+  const auto find = [&](const auto& temporal) {
+    if (is_published)
+      find_features(sequence, std::move(field), spatial, temporal, AMF::Every_smoothing_count(),
+                    AMF::Forward_difference_of_gaussians(), result, monitor);
+    else
+      find_features(sequence, std::move(field), spatial, temporal, fixed_ratio_sampling(sequence, c),
+                    AMF::Central_difference_of_gaussians(), result, monitor);
+  };
   try {
-    find_features(sequence, std::move(field), spatial, temporal, AMF::Every_smoothing_count(),
-                  AMF::Forward_difference_of_gaussians(), result, monitor);
+    if (c.temporal_filter == Temporal_filter::BOX)
+      find(AMF::Box_temporal_filter(result.box_width));
+    else
+      find(AMF::Gaussian_temporal_filter());
   } catch (const AMF::Option_error& e) {
+    if (!is_published) throw;
     throw AMF::Option_error(std::string(e.what()) +
                             "; use --preset calibrated, or a smaller --box-width if there are too few in time");
   }

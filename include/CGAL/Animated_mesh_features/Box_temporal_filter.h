@@ -7,6 +7,8 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_BOX_TEMPORAL_FILTER_H
 #define CGAL_ANIMATED_MESH_FEATURES_BOX_TEMPORAL_FILTER_H
 
+#include <CGAL/Animated_mesh_features/internal/Lanes.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -44,6 +46,9 @@ that gives any variance exactly.
 class Box_temporal_filter
 {
 public:
+  /// rows may be those of several vertices at once, see `TemporalFilter`.
+  static constexpr bool vectorized = true;
+
   /// \param width of the box in frames, or 0 for boxes that fit the variances.
   explicit Box_temporal_filter(std::size_t width = 0, Row_ends ends = Row_ends::REFLECT)
     : m_width(width)
@@ -93,13 +98,32 @@ public:
   /// the variance attained at level `l`.
   double variance(std::size_t l) const { return m_steps[l].variance; }
 
+  /// whether every level from the second on is the level before it after one and the same operation.
+  bool has_equal_steps() const
+  {
+    for (std::size_t l = 2; l < m_steps.size(); ++l)
+      if (m_steps[l].passes != m_steps[1].passes || m_steps[l].box.reach != m_steps[1].box.reach ||
+          m_steps[l].box.end != m_steps[1].box.end)
+        return false;
+    return true;
+  }
+
   /// smooths a row of frames from level `l` - 1 (the unsmoothed row for `l` = 0) to level `l`; `in` and `out` do not
   /// overlap.
-  template <class FT>
-  void operator()(std::size_t l, const FT* in, FT* out) const
+  /// \tparam T `float`, `double`, or several of them that are computed with as one, see `vectorized`.
+  template <class T>
+  void operator()(std::size_t l, const T* in, T* out) const
   {
-    std::copy(in, in + m_frames, out);
-    for (std::size_t i = 0; i < m_steps[l].passes; ++i) average(m_steps[l].box, out);
+    const Step& step = m_steps[l];
+    if (step.passes == 0) std::copy(in, in + m_frames, out);
+    // a pass reads one row and writes another; the last one writes `out`
+    static thread_local std::vector<T> buffer;
+    if (step.passes > 1 && buffer.size() < m_frames) buffer.resize(m_frames);
+    for (std::size_t i = 0; i < step.passes; ++i) {
+      T* const to = (step.passes - i) % 2 == 1 ? out : buffer.data();
+      average(step.box, in, to);
+      in = to;
+    }
   }
 
 private:
@@ -135,45 +159,101 @@ private:
     return Box{reach, (std::max)(0., end)};
   }
 
-  // The value of frame f, continued beyond the ends; weight 0 for a frame that is left out.
-  struct Extended_frame
+  template <class T>
+  void average(const Box& box, const T* in, T* out) const
   {
-    std::size_t frame;
-    double weight;
-  };
-  Extended_frame extended(std::ptrdiff_t f) const
-  {
-    const std::ptrdiff_t n = std::ptrdiff_t(m_frames);
-    if (f >= 0 && f < n) return {std::size_t(f), 1};
-    switch (m_ends) {
-    case Row_ends::TRUNCATE: return {0, 0};
-    case Row_ends::REPLICATE: return {std::size_t(f < 0 ? 0 : n - 1), 1};
-    case Row_ends::REFLECT: break;
+    typedef typename internal::Scalar_of<T>::type Scalar;
+    const std::ptrdiff_t n = std::ptrdiff_t(m_frames), r = std::ptrdiff_t(box.reach);
+    const Scalar factor = Scalar(1 / box.total());
+    if (box.end == 0) {
+      const auto emit = [&](std::ptrdiff_t f, const T& sum) { out[f] = sum * factor; };
+      window_sums(in, -r, n, 2 * r + 1, emit, emit);
+    } else if (box.end == 0.5) {
+      // the mean of two boxes of even width, one shifted by a frame
+      T before = in[0];
+      const Scalar half = factor * Scalar(0.5);
+      const auto emit = [&](std::ptrdiff_t f, const T& sum) {
+        out[f - 1] = (before + sum) * half;
+        before = sum;
+      };
+      const auto emit_first = [&](std::ptrdiff_t f, const T& sum) {
+        if (f > 0) out[f - 1] = (before + sum) * half;
+        before = sum;
+      };
+      window_sums(in, -r - 1, n + 1, 2 * r + 2, emit_first, emit);
+    } else {
+      const Scalar end = Scalar(box.end);
+      const auto emit = [&](std::ptrdiff_t f, const T& sum) {
+        out[f] = (sum + (value(in, f - r - 1) + value(in, f + r + 1)) * end) * factor;
+      };
+      window_sums(in, -r, n, 2 * r + 1, emit, emit);
     }
-    f %= 2 * n;
-    if (f < 0) f += 2 * n;
-    return {std::size_t(f < n ? f : 2 * n - 1 - f), 1};
+    if (m_ends == Row_ends::TRUNCATE)
+      for (std::ptrdiff_t f = 0; f < n; ++f)
+        if (f <= r || f + r + 1 >= n) out[f] = out[f] * Scalar(box.total() / existing(box, f));
   }
 
-  template <class FT>
-  void average(const Box& box, FT* row) const
+  // The value of a frame, which may be one before the first or behind the last.
+  template <class T>
+  T value(const T* in, std::ptrdiff_t f) const
+  {
+    const std::ptrdiff_t n = std::ptrdiff_t(m_frames);
+    if (f >= 0 && f < n) return in[f];
+    if (m_ends == Row_ends::TRUNCATE) return in[0] * typename internal::Scalar_of<T>::type(0);
+    if (m_ends == Row_ends::REPLICATE) return in[f < 0 ? 0 : n - 1];
+    while (f < 0 || f >= n) f = f < 0 ? -1 - f : 2 * n - 1 - f; // more than once where the box is wider than the row
+    return in[f];
+  }
+
+  // The total weight of the frames that exist around frame f.
+  double existing(const Box& box, std::ptrdiff_t f) const
   {
     const std::ptrdiff_t n = std::ptrdiff_t(m_frames), r = std::ptrdiff_t(box.reach);
-    // prefix sums of values and weights from frame -r-1 on, in double: a running sum would collect rounding errors
-    static thread_local std::vector<double> values, weights;
-    values.assign(std::size_t(n + 2 * r + 3), 0);
-    weights.assign(values.size(), 0);
-    for (std::ptrdiff_t i = 0; i < n + 2 * r + 2; ++i) {
-      const Extended_frame e = extended(i - r - 1);
-      values[std::size_t(i) + 1] = values[std::size_t(i)] + e.weight * double(row[e.frame]);
-      weights[std::size_t(i) + 1] = weights[std::size_t(i)] + e.weight;
-    }
-    const auto sum = [&](const std::vector<double>& prefix, std::ptrdiff_t f) {
-      const std::size_t a = std::size_t(f), b = std::size_t(f + 2 * r + 3); // all of -r-1 .. r+1 around f
-      const double inner = prefix[b - 1] - prefix[a + 1];
-      return inner + box.end * ((prefix[a + 1] - prefix[a]) + (prefix[b] - prefix[b - 1]));
+    const std::ptrdiff_t first = (std::max)(std::ptrdiff_t(0), f - r), last = (std::min)(n - 1, f + r);
+    return double(last - first + 1) + (f - r - 1 >= 0 ? box.end : 0) + (f + r + 1 < n ? box.end : 0);
+  }
+
+  // emit(i, sum of the `width` frames from first + i on) for each i < count in ascending order; emit_first instead for
+  // i = 0 and every multiple of the width.
+  //
+  // Three additions a sum, whatever the width, and nothing is ever subtracted, so that a sum has the rounding errors of
+  // its own terms only (van Herk, Gil and Werman's scheme for minima): the row is cut into blocks of the width, and a
+  // window is the rest of one block (sums from the right) and the beginning of the next (from the left).
+  template <class T, class Emit_first, class Emit>
+  void window_sums(const T* in, std::ptrdiff_t first, std::ptrdiff_t count, std::ptrdiff_t width,
+                   const Emit_first& emit_first, const Emit& emit) const
+  {
+    // the rests, and two blocks that reach beyond the row
+    static thread_local std::vector<T> buffer;
+    if (std::ptrdiff_t(buffer.size()) < 3 * width) buffer.resize(std::size_t(3 * width));
+    T* const rests = buffer.data();
+    const auto block = [&](std::ptrdiff_t start) -> const T* {
+      const std::ptrdiff_t f = first + start;
+      if (f >= 0 && f + width <= std::ptrdiff_t(m_frames)) return in + f;
+      T* const copy = rests + (start / width % 2 == 0 ? width : 2 * width);
+      for (std::ptrdiff_t i = 0; i < width; ++i) copy[i] = value(in, f + i);
+      return copy;
     };
-    for (std::ptrdiff_t f = 0; f < n; ++f) row[f] = FT(sum(values, f) / sum(weights, f));
+    const T* now = block(0);
+    for (std::ptrdiff_t start = 0; start < count; start += width) {
+      T rest = now[width - 1];
+      rests[width - 1] = rest;
+      for (std::ptrdiff_t i = width - 2; i >= 0; --i) {
+        rest = rest + now[i];
+        rests[i] = rest;
+      }
+      emit_first(start, rest);
+      const std::ptrdiff_t end = (std::min)(width, count - start);
+      if (start + 1 >= count) break;
+      now = block(start + width);
+      if (end < 2) continue;
+      T beginning = now[0];
+      emit(start + 1, rests[1] + beginning);
+      for (std::ptrdiff_t i = 2; i < end; ++i) {
+        beginning = beginning + now[i - 1];
+        emit(start + i, rests[i] + beginning);
+      }
+    }
   }
 
   std::size_t m_width;

@@ -50,6 +50,10 @@ own scale. Equal samples are no minima, so that a flat region has none.
 */
 struct Difference_of_gaussians_minima
 {
+  /// `at_vertex()` accepts nothing but strict minima below zero, over time and over scales: what the search in vector
+  /// registers looks for.
+  static constexpr bool strict_minima = true;
+
   /// whether the sample in the middle of the window may be an extremum, by what its own vertex knows.
   template <class FT>
   bool at_vertex(const Response_window<FT>& d) const

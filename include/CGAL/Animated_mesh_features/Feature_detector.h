@@ -233,15 +233,14 @@ private:
       m_tau.push_back(levels.tau_factor * std::sqrt(m_options.temporal_filter.variance(l)));
     m_options.response.initialize(m_sigma, m_tau, levels);
 
-    internal::Scale_space_engine<FT, typename Options::TemporalFilter, typename Options::SpaceTimeResponse,
+    internal::Scale_space_engine<typename Options::TemporalFilter, typename Options::SpaceTimeResponse,
                                  typename Options::ExtremumSearch>
         engine(shape, frames, m_sigma.size(), m_tau.size(), m_options.temporal_filter, m_options.response,
                m_options.search);
     const std::vector<internal::Extremum> extrema =
         engine.template run<ConcurrencyTag>(field, m_options.spatial_filter, visitor);
 
-    const double noise =
-        (std::max)(internal::smoothing_noise(field), m_is_own_field ? 0 : internal::deformation_noise(animation()));
+    const double noise = m_is_own_field ? 0 : internal::deformation_noise(animation());
     std::vector<Feature> minima;
     minima.reserve(extrema.size());
     for (const internal::Extremum& e : extrema)

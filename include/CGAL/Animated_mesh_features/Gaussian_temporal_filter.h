@@ -7,6 +7,8 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_GAUSSIAN_TEMPORAL_FILTER_H
 #define CGAL_ANIMATED_MESH_FEATURES_GAUSSIAN_TEMPORAL_FILTER_H
 
+#include <CGAL/Animated_mesh_features/internal/Lanes.h>
+
 #include <boost/math/constants/constants.hpp>
 
 #include <Eigen/Core>
@@ -14,6 +16,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -31,6 +35,9 @@ the mean is kept exactly, and no new extrema appear, whatever the step. A level 
 class Gaussian_temporal_filter
 {
 public:
+  /// rows may be those of several vertices at once, see `TemporalFilter`.
+  static constexpr bool vectorized = true;
+
   /// the step where a sampling counts steps: the variance of a box of three frames (squared seconds).
   double unit_variance(std::size_t /* number_of_frames */, double frame_duration) const
   {
@@ -44,30 +51,61 @@ public:
     m_frames = number_of_frames;
     m_variances = variances;
     m_kernels.clear();
-    for (std::size_t l = 0; l < variances.size(); ++l)
+    m_float_reaches.clear();
+    for (std::size_t l = 0; l < variances.size(); ++l) {
       m_kernels.push_back(
           kernel((variances[l] - (l > 0 ? variances[l - 1] : 0)) / (frame_duration * frame_duration)));
+      m_float_reaches.push_back(reach_in_float(m_kernels.back()));
+    }
   }
 
   /// the variance of level `l`, exactly the one that was asked for.
   double variance(std::size_t l) const { return m_variances[l]; }
 
+  /// whether every level from the second on is the level before it after one and the same operation.
+  bool has_equal_steps() const
+  {
+    for (std::size_t l = 2; l < m_variances.size(); ++l) {
+      const double first = m_variances[1] - m_variances[0], step = m_variances[l] - m_variances[l - 1];
+      if (!(std::abs(step - first) <= 1e-12 * m_variances[l])) return false; // they may have been computed as multiples
+    }
+    return true;
+  }
+
   /// smooths a row of frames from level `l` - 1 (the unsmoothed row for `l` = 0) to level `l`; `in` and `out` do not
   /// overlap.
-  template <class FT>
-  void operator()(std::size_t l, const FT* in, FT* out) const
+  /// \tparam T `float`, `double`, or several of them that are computed with as one, see `vectorized`.
+  template <class T>
+  void operator()(std::size_t l, const T* in, T* out) const
   {
+    typedef typename internal::Scalar_of<T>::type Scalar;
     const std::vector<double>& k = m_kernels[l];
-    const std::ptrdiff_t n = std::ptrdiff_t(m_frames), reach = std::ptrdiff_t(k.size()) - 1;
+    const std::ptrdiff_t n = std::ptrdiff_t(m_frames);
+    const std::ptrdiff_t reach = std::ptrdiff_t(std::is_same<Scalar, float>::value ? m_float_reaches[l] : k.size()) - 1;
     // the row between its two mirror images; the kernel reaches at most once around
-    static thread_local std::vector<FT> mirrored;
-    mirrored.resize(std::size_t(n + 2 * reach));
-    FT* row = mirrored.data() + reach;
+    static thread_local std::vector<T> mirrored;
+    if (std::ptrdiff_t(mirrored.size()) < n + 2 * reach) mirrored.resize(std::size_t(n + 2 * reach));
+    T* row = mirrored.data() + reach;
     std::copy(in, in + n, row);
     for (std::ptrdiff_t i = 0; i < reach; ++i) {
       row[-1 - i] = in[i];
       row[n + i] = in[n - 1 - i];
     }
+    if constexpr (std::is_arithmetic<T>::value) {
+      convolve_row(row, n, k, reach, out);
+    } else {
+      std::ptrdiff_t f = 0;
+      // several frames at a time: their sums do not wait for one another
+      for (; f + 4 <= n; f += 4) convolve<4>(row + f, k, reach, out + f);
+      for (; f < n; ++f) convolve<1>(row + f, k, reach, out + f);
+    }
+  }
+
+private:
+  // Values of single vertices: the registers hold successive frames.
+  template <class FT>
+  static void convolve_row(const FT* row, std::ptrdiff_t n, const std::vector<double>& k, std::ptrdiff_t reach, FT* out)
+  {
     typedef Eigen::Array<FT, Eigen::Dynamic, 1> Row;
     const auto pair = [&](std::ptrdiff_t m) {
       return FT(k[std::size_t(m)]) * (Eigen::Map<const Row>(row - m, n) + Eigen::Map<const Row>(row + m, n));
@@ -80,7 +118,23 @@ public:
     if (m <= reach) sum += pair(m);
   }
 
-private:
+  // Values of several vertices: a register holds one frame of all of them.
+  template <int frames, class T>
+  static void convolve(const T* row, const std::vector<double>& k, std::ptrdiff_t reach, T* out)
+  {
+    typedef typename T::Scalar Scalar;
+    T sum[frames];
+    CGAL_ANIMATED_MESH_FEATURES_UNROLL
+    for (int f = 0; f < frames; ++f) sum[f] = row[f] * Scalar(k[0]);
+    for (std::ptrdiff_t m = 1; m <= reach; ++m) {
+      const Scalar weight = Scalar(k[std::size_t(m)]);
+      CGAL_ANIMATED_MESH_FEATURES_UNROLL
+      for (int f = 0; f < frames; ++f) sum[f] = sum[f] + (row[f - m] + row[f + m]) * weight;
+    }
+    CGAL_ANIMATED_MESH_FEATURES_UNROLL
+    for (int f = 0; f < frames; ++f) out[f] = sum[f];
+  }
+
   // The right half of the kernel on a circle of 2 F frames, where a row and its mirror image live, up to where it
   // vanishes in double precision.
   std::vector<double> kernel(double u) const
@@ -101,9 +155,20 @@ private:
     return values;
   }
 
+  // How many values of a kernel single precision sees: what lies behind sums up to less than its rounding.
+  static std::size_t reach_in_float(const std::vector<double>& kernel)
+  {
+    std::size_t size = kernel.size();
+    double tail = 0;
+    while (size > 1 && tail + 2 * kernel[size - 1] < 0.25 * double(std::numeric_limits<float>::epsilon()))
+      tail += 2 * kernel[--size];
+    return size;
+  }
+
   std::size_t m_frames = 0;
   std::vector<double> m_variances;
   std::vector<std::vector<double>> m_kernels;
+  std::vector<std::size_t> m_float_reaches;
 };
 
 } // namespace Animated_mesh_features

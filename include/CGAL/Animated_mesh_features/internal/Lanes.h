@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 
 // Vector extensions of the compiler rather than loops that it may or may not vectorise: CGAL compiles with
@@ -18,8 +19,10 @@
 #if defined(__GNUC__)
   #define CGAL_ANIMATED_MESH_FEATURES_HAS_VECTOR_TYPES 1
   #define CGAL_ANIMATED_MESH_FEATURES_INLINE inline __attribute__((always_inline))
+  #define CGAL_ANIMATED_MESH_FEATURES_INLINE_LAMBDA __attribute__((always_inline))
 #else
   #define CGAL_ANIMATED_MESH_FEATURES_INLINE inline
+  #define CGAL_ANIMATED_MESH_FEATURES_INLINE_LAMBDA
 #endif
 #if defined(__clang__)
   #define CGAL_ANIMATED_MESH_FEATURES_UNROLL _Pragma("clang loop unroll(full)")
@@ -39,6 +42,7 @@ struct Register
 {
   static_assert(bytes == sizeof(T), "this compiler has no vector types");
   typedef T type;
+  typedef T memory_type;
 };
 
 #ifdef CGAL_ANIMATED_MESH_FEATURES_HAS_VECTOR_TYPES
@@ -48,6 +52,8 @@ struct Register
     struct Register<T, bytes> \
     { \
       typedef T type __attribute__((vector_size(bytes))); \
+      /* the same anywhere in memory, among numbers of type T */ \
+      typedef T memory_type __attribute__((vector_size(bytes), aligned(sizeof(T)), may_alias)); \
     };
   #define CGAL_ANIMATED_MESH_FEATURES_REGISTERS(T) \
     CGAL_ANIMATED_MESH_FEATURES_REGISTER(T, 16) \
@@ -63,10 +69,11 @@ CGAL_ANIMATED_MESH_FEATURES_REGISTERS(std::int64_t)
 
 // `size` numbers that are computed with as one, in registers of `register_bytes` each.
 template <class T, std::size_t size_, std::size_t register_bytes>
-struct Lanes
+struct alignas(register_bytes) Lanes // said again, since g++ forgets it of the register's type
 {
   typedef T Scalar;
   typedef typename Register<T, register_bytes>::type Register_type;
+  typedef typename Register<T, register_bytes>::memory_type Memory_type;
   static constexpr std::size_t size = size_;
   static constexpr std::size_t registers = size * sizeof(T) / register_bytes;
   static_assert(registers * register_bytes == size * sizeof(T), "lanes are whole registers");
@@ -75,17 +82,26 @@ struct Lanes
 
   static CGAL_ANIMATED_MESH_FEATURES_INLINE Lanes all(T value)
   {
-    T values[size];
-    std::fill(values, values + size, value);
-    return load(values);
-  }
-  static CGAL_ANIMATED_MESH_FEATURES_INLINE Lanes load(const T* from) // no alignment needed
-  {
     Lanes result;
-    std::memcpy(&result, from, sizeof(result));
+    CGAL_ANIMATED_MESH_FEATURES_UNROLL
+    for (std::size_t i = 0; i < registers; ++i) result.r[i] = value - Register_type{};
     return result;
   }
-  CGAL_ANIMATED_MESH_FEATURES_INLINE void store(T* to) const { std::memcpy(to, this, sizeof(*this)); }
+  // No alignment needed. Register by register: g++ 12 copies larger objects by 16 bytes, through the stack.
+  static CGAL_ANIMATED_MESH_FEATURES_INLINE Lanes load(const T* from)
+  {
+    Lanes result;
+    CGAL_ANIMATED_MESH_FEATURES_UNROLL
+    for (std::size_t i = 0; i < registers; ++i)
+      result.r[i] = *reinterpret_cast<const Memory_type*>(from + i * (size / registers));
+    return result;
+  }
+  CGAL_ANIMATED_MESH_FEATURES_INLINE void store(T* to) const
+  {
+    CGAL_ANIMATED_MESH_FEATURES_UNROLL
+    for (std::size_t i = 0; i < registers; ++i)
+      *reinterpret_cast<Memory_type*>(to + i * (size / registers)) = r[i];
+  }
 };
 
 #define CGAL_ANIMATED_MESH_FEATURES_LANES_OPERATOR(op) \
@@ -109,6 +125,30 @@ CGAL_ANIMATED_MESH_FEATURES_INLINE Lanes<T, n, b> operator*(const Lanes<T, n, b>
   CGAL_ANIMATED_MESH_FEATURES_UNROLL
   for (std::size_t i = 0; i < result.registers; ++i) result.r[i] = x.r[i] * y;
   return result;
+}
+
+// |x|, by clearing the sign bits.
+template <class T, std::size_t n, std::size_t b>
+CGAL_ANIMATED_MESH_FEATURES_INLINE Lanes<T, n, b> absolute(const Lanes<T, n, b>& x)
+{
+  typedef std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t> Integer;
+  typedef typename Register<Integer, b>::type Bits;
+  Lanes<T, n, b> result;
+  CGAL_ANIMATED_MESH_FEATURES_UNROLL
+  for (std::size_t i = 0; i < result.registers; ++i) {
+    Bits bits;
+    std::memcpy(&bits, &x.r[i], b);
+    bits &= (std::numeric_limits<Integer>::max)();
+    std::memcpy(&result.r[i], &bits, b);
+  }
+  return result;
+}
+
+// max(x, y) = (x + y + |x - y|) / 2, up to rounding.
+template <class T, std::size_t n, std::size_t b>
+CGAL_ANIMATED_MESH_FEATURES_INLINE Lanes<T, n, b> larger(const Lanes<T, n, b>& x, const Lanes<T, n, b>& y)
+{
+  return (x + y + absolute(x - y)) * T(0.5);
 }
 
 // The lanes of two chains that go through the same filter, so that each hides the latency of the other.
@@ -144,34 +184,59 @@ struct Scalar_of<T, std::void_t<typename T::Scalar>>
   typedef typename T::Scalar type;
 };
 
-// Whether there is a lane in which all three are negative. By their signs: comparing vectors is what g++ 12 does lane by
-// lane for 64 bytes. (A difference of unlike numbers is never zero, and of like ones +0.)
+// The signs of lanes, to be combined and then asked for. (Comparing vectors is what g++ 12 does lane by lane for
+// registers of 64 bytes. A difference of unlike numbers is never zero, and of like ones +0.)
 template <class T, std::size_t n, std::size_t b>
-CGAL_ANIMATED_MESH_FEATURES_INLINE bool
-any_negative(const Lanes<T, n, b>& x, const Lanes<T, n, b>& y, const Lanes<T, n, b>& z)
+class Lane_signs
 {
   typedef std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t> Integer;
   typedef std::conditional_t<b == 4, std::int32_t, std::int64_t> Word;
   typedef typename Register<Integer, b>::type Bits;
-  Bits all;
-  CGAL_ANIMATED_MESH_FEATURES_UNROLL
-  for (std::size_t i = 0; i < Lanes<T, n, b>::registers; ++i) {
-    Bits u, v, w;
-    std::memcpy(&u, &x.r[i], b);
-    std::memcpy(&v, &y.r[i], b);
-    std::memcpy(&w, &z.r[i], b);
-    const Bits signs = u & v & w;
-    all = i == 0 ? signs : all | signs;
+  static constexpr std::size_t registers = Lanes<T, n, b>::registers;
+
+public:
+  explicit CGAL_ANIMATED_MESH_FEATURES_INLINE Lane_signs(const Lanes<T, n, b>& x) { std::memcpy(m_bits, &x, sizeof(x)); }
+
+  CGAL_ANIMATED_MESH_FEATURES_INLINE friend Lane_signs operator&(const Lane_signs& x, const Lane_signs& y)
+  {
+    Lane_signs result = x;
+    CGAL_ANIMATED_MESH_FEATURES_UNROLL
+    for (std::size_t i = 0; i < registers; ++i) result.m_bits[i] &= y.m_bits[i];
+    return result;
   }
-  constexpr std::size_t words = b / sizeof(Word);
-  Word word[words], result = 0;
-  std::memcpy(word, &all, b);
-  CGAL_ANIMATED_MESH_FEATURES_UNROLL
-  for (std::size_t i = 0; i < words; ++i) result |= word[i];
-  constexpr Word sign_bits = sizeof(Word) == 8 && sizeof(T) == 4 ? Word(0x8000000080000000ull)
-                             : sizeof(Word) == 8                 ? Word(0x8000000000000000ull)
-                                                                 : Word(0x80000000u);
-  return (result & sign_bits) != 0;
+  CGAL_ANIMATED_MESH_FEATURES_INLINE friend Lane_signs operator|(const Lane_signs& x, const Lane_signs& y)
+  {
+    Lane_signs result = x;
+    CGAL_ANIMATED_MESH_FEATURES_UNROLL
+    for (std::size_t i = 0; i < registers; ++i) result.m_bits[i] |= y.m_bits[i];
+    return result;
+  }
+
+  // whether any is negative
+  CGAL_ANIMATED_MESH_FEATURES_INLINE bool any() const
+  {
+    Bits all = m_bits[0];
+    CGAL_ANIMATED_MESH_FEATURES_UNROLL
+    for (std::size_t i = 1; i < registers; ++i) all |= m_bits[i];
+    constexpr std::size_t words = b / sizeof(Word);
+    Word word[words], result = 0;
+    std::memcpy(word, &all, b);
+    CGAL_ANIMATED_MESH_FEATURES_UNROLL
+    for (std::size_t i = 0; i < words; ++i) result |= word[i];
+    constexpr Word sign_bits = sizeof(Word) == 8 && sizeof(T) == 4 ? Word(0x8000000080000000ull)
+                               : sizeof(Word) == 8                 ? Word(0x8000000000000000ull)
+                                                                   : Word(0x80000000u);
+    return (result & sign_bits) != 0;
+  }
+
+private:
+  Bits m_bits[registers];
+};
+
+template <class T, std::size_t n, std::size_t b>
+CGAL_ANIMATED_MESH_FEATURES_INLINE Lane_signs<T, n, b> negative(const Lanes<T, n, b>& x)
+{
+  return Lane_signs<T, n, b>(x);
 }
 
 } // namespace internal

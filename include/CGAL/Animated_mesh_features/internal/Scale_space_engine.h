@@ -11,16 +11,21 @@
 #include <CGAL/Animated_mesh_features/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/Visitor.h>
-#include <CGAL/Animated_mesh_features/internal/Thread_local.h>
+#include <CGAL/Animated_mesh_features/internal/Exhaustive_proposer.h>
+#include <CGAL/Animated_mesh_features/internal/Extremum.h>
+#include <CGAL/Animated_mesh_features/internal/Extremum_decision.h>
+#include <CGAL/Animated_mesh_features/internal/Level_batch.h>
+#include <CGAL/Animated_mesh_features/internal/Level_weights.h>
+#include <CGAL/Animated_mesh_features/internal/Temporal_matrices.h>
+#include <CGAL/Animated_mesh_features/internal/Vectorized_proposer.h>
+#include <CGAL/Animated_mesh_features/internal/noise_floor.h>
 #include <CGAL/Animated_mesh_features/internal/parallel_for.h>
 
-#include <Eigen/Core>
-
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <iterator>
 #include <memory>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -28,30 +33,28 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// An extremum on the grid of samples, with what is needed to place it between them.
-struct Extremum
+// Whether a search accepts nothing but strict minima.
+template <class Search, class = void>
+struct Searches_strict_minima : std::false_type
 {
-  Rest_shape::Index vertex;
-  std::size_t frame, k, l;
-  // responses at the vertex, [dk + 1][dl + 1][df + 1]
-  std::array<std::array<std::array<double, 3>, 3>, 3> window;
-  // responses at the neighbours, in the order of Rest_shape::neighbours(), same scale and frame
-  std::vector<double> ring;
-
-  double response() const { return window[1][1][1]; }
+};
+template <class Search>
+struct Searches_strict_minima<Search, std::enable_if_t<Search::strict_minima>> : std::true_type
+{
 };
 
 // Finds the extrema of the response over all samples (vertex, frame, k, l).
 //
 // The spatial filter S acts on frames, the temporal filter T on rows of frames, so they commute, L_kl = S_k d T_l, and
-// S is applied once for each k only. For a batch of space levels that are kept as rows, all time levels of a vertex,
-// its responses and the tests at the vertex itself run in the cache. What survives them looks at its neighbours: T is
-// linear, so a single response at a neighbour is a few scalar products of its rows with rows of the matrix of T_l.
-template <class FT, class TemporalFilter, class Response, class Search>
+// S is applied once for each k only. A batch of space levels is kept in memory; for each vertex all its time levels,
+// responses and the comparisons at the vertex itself run in the caches. They propose candidates - generously, since they
+// run in single precision where they can -, and what is proposed is decided in double precision, at the vertex and at
+// its neighbours. Levels are in double precision whatever the scalar of the field.
+template <class TemporalFilter, class Response, class Search>
 class Scale_space_engine
 {
   static constexpr std::size_t below = Response::below, above = Response::above;
-  typedef Spatio_temporal_field<FT> Field;
+  typedef Level_batch::Field Level;
 
 public:
   Scale_space_engine(const Rest_shape& shape,
@@ -69,179 +72,203 @@ public:
     , m_response(response)
     , m_search(search)
   {
-    tabulate_temporal_filter();
   }
 
-  template <class ConcurrencyTag, class SpatialFilter, class Visitor>
-  std::vector<Extremum> run(const Field& field, SpatialFilter& spatial, Visitor& visitor)
+  // At most that many space levels at which extrema are searched for at a time; a level of N x F doubles is in memory
+  // for each, and for `below` + `above` + 2 more.
+  void set_largest_batch(std::size_t levels) { m_largest_batch = levels; }
+
+  void set_instruction_set(Instruction_set instructions) { m_instructions = instructions; }
+
+  template <class ConcurrencyTag, class FT, class SpatialFilter, class Visitor>
+  std::vector<Extremum> run(const Spatio_temporal_field<FT>& field, SpatialFilter& spatial, Visitor& visitor)
+  {
+    const Level_weights weights(m_response, m_space_levels, m_time_levels, largest_value(field));
+    Temporal_matrices<TemporalFilter> matrices(m_temporal, m_frames, m_time_levels);
+    const auto run_with = [&](std::size_t fitting, const auto& make_proposer) {
+      return run_batches<ConcurrencyTag>(field, spatial, visitor, weights, matrices, fitting, make_proposer);
+    };
+    const auto run_chains = [&](const auto& chains) {
+      typedef std::decay_t<decltype(chains)> Chains;
+      return run_with(Chains::largest_batch(below, above), [&](const Level_batch& batch) {
+        return Vectorized_proposer<Chains>(batch, weights, chains, m_frames, m_time_levels, m_instructions);
+      });
+    };
+    if constexpr (Is_vectorized_filter<TemporalFilter>::value && Searches_strict_minima<Search>::value &&
+                  below + above <= 8) {
+      if (m_temporal.has_equal_steps()) return run_chains(Difference_chains<TemporalFilter>(m_temporal));
+      if (levels_are_far_apart(spatial)) return run_chains(Level_chains<float, TemporalFilter>(m_temporal));
+      return run_chains(Level_chains<double, TemporalFilter>(m_temporal));
+    } else {
+      constexpr std::size_t fitting = 12;
+      return run_with(fitting, [&](const Level_batch& batch) {
+        return Exhaustive_proposer<TemporalFilter, Search>(batch, weights, m_frames, m_time_levels, m_temporal,
+                                                           m_search);
+      });
+    }
+  }
+
+private:
+  // Whether differences of levels have enough digits in single precision to tell minima from their neighbours. They
+  // need the square of the step: a fifth of the logarithm leaves some hundred roundings.
+  template <class SpatialFilter>
+  bool levels_are_far_apart(const SpatialFilter& spatial) const
+  {
+    constexpr double least_ratio = 1.4; // of variances
+    bool result = true;
+    for (std::size_t k = 1; k < m_space_levels; ++k)
+      result = result && spatial.variance(k) >= least_ratio * spatial.variance(k - 1);
+    for (std::size_t l = 1; l < m_time_levels; ++l)
+      result = result && m_temporal.variance(l) >= least_ratio * m_temporal.variance(l - 1);
+    return result;
+  }
+
+  template <class ConcurrencyTag, class FT, class SpatialFilter, class Visitor, class MakeProposer>
+  std::vector<Extremum> run_batches(const Spatio_temporal_field<FT>& field,
+                                    SpatialFilter& spatial,
+                                    Visitor& visitor,
+                                    const Level_weights& weights,
+                                    Temporal_matrices<TemporalFilter>& matrices,
+                                    std::size_t fitting,
+                                    const MakeProposer& make_proposer)
   {
     const Task_loop<ConcurrencyTag, Visitor> smooth_loop(visitor, Stage::SCALE_SPACE);
     const Task_loop<ConcurrencyTag, Visitor> search_loop(visitor, Stage::EXTREMA);
     // D exists for k in [below, space_levels - above), an extremum has a D on either side.
     const std::size_t first = below + 1, last = m_space_levels - above - 1; // [first, last)
-    // Batches of at most 12 levels keep the memory bounded and recompute little: (12 + 2) / 12.
-    constexpr std::size_t batch = 12;
+    const std::size_t largest = (std::max)(std::size_t(1), (std::min)(fitting, m_largest_batch));
+    const std::size_t batches = (last - first + largest - 1) / largest;
     std::vector<Extremum> extrema;
-    Levels levels(m_space_levels);
+    Level_batch batch;
+    batch.levels.resize(m_space_levels);
+    batch.below = below;
+    batch.above = above;
+    std::vector<std::shared_ptr<Level>> unused;
     std::size_t smoothed = 0;
-    for (std::size_t k0 = first; k0 < last; k0 += batch) {
-      const std::size_t k1 = (std::min)(k0 + batch, last);
-      // L for the D of [k0 - 1, k1 + 1)
-      const std::size_t l0 = k0 - 1 - below, l1 = k1 + above + 1;
+    for (std::size_t i = 0; i < batches; ++i) {
+      batch.first = first + i * (last - first) / batches; // as equal as they can be: the last one costs as much
+      batch.last = first + (i + 1) * (last - first) / batches;
       {
         const Stage_scope<Visitor> stage(visitor, Stage::SCALE_SPACE);
-        for (; smoothed < l1; ++smoothed) {
-          levels[smoothed] = std::make_shared<Field>(field.number_of_rows(), field.number_of_frames());
-          const Field& previous = smoothed > 0 ? *levels[smoothed - 1] : field;
-          spatial(smoothed, previous, *levels[smoothed], smooth_loop.part(smoothed, m_space_levels));
+        for (; smoothed < batch.last_level(); ++smoothed) {
+          batch.levels[smoothed] = new_level(field, unused);
+          const auto loop = smooth_loop.part(smoothed, m_space_levels);
+          if (smoothed > 0)
+            spatial(smoothed, *batch.levels[smoothed - 1], *batch.levels[smoothed], loop);
+          else if constexpr (std::is_same<FT, double>::value)
+            spatial(smoothed, field, *batch.levels[smoothed], loop);
+          else
+            spatial(smoothed, in_double(field), *batch.levels[smoothed], loop);
         }
       }
-      const Stage_scope<Visitor> stage(visitor, Stage::EXTREMA);
-      search_batch(levels, l0, l1, k0, k1, search_loop.part((k0 - first) / batch, (last - first + batch - 1) / batch),
-                   extrema);
-      for (std::size_t k = l0; k + below + 1 < k1; ++k) levels[k].reset(); // the next batch starts at k1 - 1 - below
+      {
+        const Stage_scope<Visitor> stage(visitor, Stage::EXTREMA);
+        search(batch, weights, make_proposer(batch), search_loop.part(i, batches), matrices, extrema);
+      }
+      // the next batch begins at batch.last
+      for (std::size_t k = batch.first_level(); k < batch.last - 1 - below; ++k)
+        unused.push_back(std::move(batch.levels[k]));
     }
     return extrema;
   }
 
-private:
-  typedef std::vector<std::shared_ptr<Field>> Levels;
-  typedef Eigen::Array<FT, Eigen::Dynamic, 1> Row;
-
-  struct Workspace
+  template <class FT>
+  static std::shared_ptr<Level> new_level(const Spatio_temporal_field<FT>& field,
+                                          std::vector<std::shared_ptr<Level>>& unused)
   {
-    std::vector<FT> smoothed;  // [space level of the batch][time level][frame]
-    std::vector<FT> responses; // [space level of the batch][time level][frame]
-  };
+    if (unused.empty()) return std::make_shared<Level>(field.number_of_rows(), field.number_of_frames());
+    std::shared_ptr<Level> level = std::move(unused.back());
+    unused.pop_back();
+    return level;
+  }
 
-  template <class Loop>
-  void search_batch(const Levels& levels,
-                    std::size_t l0,
-                    std::size_t l1,
-                    std::size_t k0,
-                    std::size_t k1,
-                    const Loop& loop,
-                    std::vector<Extremum>& extrema)
+  template <class FT>
+  static Level in_double(const Spatio_temporal_field<FT>& field)
   {
-    constexpr std::size_t vertices_per_task = 64;
-    const std::size_t n = m_shape.number_of_vertices();
-    const std::size_t tasks = (n + vertices_per_task - 1) / vertices_per_task;
-    std::vector<std::vector<Extremum>> found(tasks); // in order, whichever thread finds them
-    Thread_local<Workspace> workspaces;
-    loop(tasks, [&](std::size_t task) {
-      Workspace& workspace = workspaces.get([] { return std::make_unique<Workspace>(); });
-      const std::size_t end = (std::min)(n, (task + 1) * vertices_per_task);
-      for (std::size_t v = task * vertices_per_task; v < end; ++v) {
-        respond(levels, v, l0, l1, k0, k1, workspace);
-        search_vertex(levels, v, k0, k1, workspace, found[task]);
-      }
+    Level result(field.number_of_rows(), field.number_of_frames());
+    for (std::size_t v = 0; v < field.number_of_rows(); ++v)
+      std::copy(field.row(v), field.row(v) + field.number_of_frames(), result.row(v));
+    return result;
+  }
+
+  // Proposes and decides for some vertices at a time, which bounds the memory of candidates.
+  template <class Proposer, class Loop>
+  void search(const Level_batch& batch,
+              const Level_weights& weights,
+              const Proposer& proposer,
+              const Loop& loop,
+              Temporal_matrices<TemporalFilter>& matrices,
+              std::vector<Extremum>& extrema)
+  {
+    constexpr std::size_t vertices_at_once = std::size_t(1) << 16;
+    const std::size_t n = m_shape.number_of_vertices(), parts = (n + vertices_at_once - 1) / vertices_at_once;
+    for (std::size_t part = 0; part < parts; ++part) {
+      const std::size_t first = part * vertices_at_once, last = (std::min)(n, first + vertices_at_once);
+      const auto part_loop = loop.part(part, parts);
+      std::vector<Candidate> candidates = propose(proposer, first, last, part_loop.part(0, 2));
+      decide(batch, weights, candidates, part_loop.part(1, 2), matrices, extrema);
+    }
+  }
+
+  template <class Proposer, class Loop>
+  std::vector<Candidate>
+  propose(const Proposer& proposer, std::size_t first_vertex, std::size_t last_vertex, const Loop& loop) const
+  {
+    constexpr std::size_t vertices_per_task = 8;
+    std::vector<std::vector<Candidate>> proposed((last_vertex - first_vertex + vertices_per_task - 1) /
+                                                 vertices_per_task); // in order, whichever thread finds them
+    loop(proposed.size(), [&](std::size_t task) {
+      const std::size_t first = first_vertex + task * vertices_per_task;
+      proposer(first, (std::min)(last_vertex, first + vertices_per_task), proposed[task]);
     });
-    for (std::vector<Extremum>& f : found)
-      extrema.insert(extrema.end(), std::make_move_iterator(f.begin()), std::make_move_iterator(f.end()));
-  }
-
-  // All time levels and responses of one vertex.
-  void respond(const Levels& levels,
-               std::size_t v,
-               std::size_t l0,
-               std::size_t l1,
-               std::size_t k0,
-               std::size_t k1,
-               Workspace& w) const
-  {
-    const std::size_t plane = m_time_levels * m_frames;
-    w.smoothed.resize((l1 - l0) * plane);
-    for (std::size_t k = l0; k < l1; ++k) {
-      FT* row = w.smoothed.data() + (k - l0) * plane;
-      m_temporal(0, levels[k]->row(v), row);
-      for (std::size_t l = 1; l < m_time_levels; ++l) m_temporal(l, row + (l - 1) * m_frames, row + l * m_frames);
+    std::vector<Candidate> all;
+    for (std::vector<Candidate>& p : proposed) {
+      all.insert(all.end(), p.begin(), p.end());
+      std::vector<Candidate>().swap(p);
     }
-    w.responses.assign((k1 - k0 + 2) * plane, FT(0));
-    for (std::size_t k = k0 - 1; k < k1 + 1; ++k) {
-      const auto smoothed = [&](std::size_t kk, std::size_t l) {
-        return w.smoothed.data() + (kk - l0) * plane + l * m_frames;
-      };
-      for (std::size_t l = below; l + above < m_time_levels; ++l) {
-        const FT a = FT(m_response.space_weight(k, l)), b = FT(m_response.time_weight(k, l));
-        const FT *s1 = smoothed(k + above, l), *s0 = smoothed(k - below, l);
-        const FT *t1 = smoothed(k, l + above), *t0 = smoothed(k, l - below);
-        FT* d = w.responses.data() + (k - (k0 - 1)) * plane + l * m_frames;
-        const auto row = [&](const FT* r) { return Eigen::Map<const Row>(r, Eigen::Index(m_frames)); };
-        Eigen::Map<Row>(d, Eigen::Index(m_frames)) = a * (row(s1) - row(s0)) + b * (row(t1) - row(t0));
-      }
+    return all;
+  }
+
+  // Time levels in windows for which there are matrices.
+  template <class Loop>
+  void decide(const Level_batch& batch,
+              const Level_weights& weights,
+              std::vector<Candidate>& candidates,
+              const Loop& loop,
+              Temporal_matrices<TemporalFilter>& matrices,
+              std::vector<Extremum>& extrema) const
+  {
+    constexpr std::size_t candidates_per_task = 64;
+    const std::size_t window = matrices.window_size(below + above + 3);
+    const std::size_t decided_at_once = window - (below + above + 2); // a window has a response on either side of them
+    const std::size_t first = below + 1, last = m_time_levels - above - 1;
+    const std::size_t windows = (last - first + decided_at_once - 1) / decided_at_once;
+    if (windows > 1)
+      std::stable_sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+        return (a.l - first) / decided_at_once < (b.l - first) / decided_at_once;
+      });
+    const Extremum_decision<TemporalFilter, Search> is_extremum(m_shape, batch, weights, matrices, m_search, m_frames);
+    auto next = candidates.begin();
+    for (std::size_t i = 0; i < windows; ++i) {
+      const std::size_t begin = first + i * decided_at_once, end = (std::min)(last, begin + decided_at_once);
+      const auto window_end =
+          std::find_if(next, candidates.end(), [&](const Candidate& c) { return c.l >= end; });
+      if (next == window_end) continue;
+      const auto window_loop = loop.part(i, windows);
+      matrices.set_window(begin - 1 - below, end + 1 + above, window_loop.part(0, 8));
+      const std::size_t size = std::size_t(window_end - next);
+      std::vector<std::vector<Extremum>> found((size + candidates_per_task - 1) / candidates_per_task);
+      const auto at = next;
+      window_loop.part(1, 2)(found.size(), [&](std::size_t task) {
+        Extremum extremum;
+        for (std::size_t j = task * candidates_per_task; j < (std::min)(size, (task + 1) * candidates_per_task); ++j)
+          if (is_extremum(at[std::ptrdiff_t(j)], extremum)) found[task].push_back(extremum);
+      });
+      for (std::vector<Extremum>& f : found)
+        extrema.insert(extrema.end(), std::make_move_iterator(f.begin()), std::make_move_iterator(f.end()));
+      next = window_end;
     }
-  }
-
-  void search_vertex(const Levels& levels,
-                     std::size_t v,
-                     std::size_t k0,
-                     std::size_t k1,
-                     const Workspace& w,
-                     std::vector<Extremum>& found) const
-  {
-    const std::size_t plane = m_time_levels * m_frames;
-    for (std::size_t k = k0; k < k1; ++k)
-      for (std::size_t l = below + 1; l + above + 1 < m_time_levels; ++l) {
-        const FT* d = w.responses.data() + (k - (k0 - 1)) * plane + l * m_frames;
-        for (std::size_t f = 1; f + 1 < m_frames; ++f) {
-          const Response_window<FT> window(d + f - plane, d + f, d + f + plane, std::ptrdiff_t(m_frames));
-          if (!m_search.at_vertex(window)) continue;
-          Extremum e;
-          if (!survives_neighbours(levels, v, k, l, f, e.ring)) continue;
-          e.vertex = Rest_shape::Index(v);
-          e.frame = f;
-          e.k = k;
-          e.l = l;
-          for (int dk = -1; dk <= 1; ++dk)
-            for (int dl = -1; dl <= 1; ++dl)
-              for (int df = -1; df <= 1; ++df) e.window[dk + 1][dl + 1][df + 1] = double(window(dk, dl, df));
-          found.push_back(std::move(e));
-        }
-      }
-  }
-
-  bool survives_neighbours(const Levels& levels,
-                           std::size_t v,
-                           std::size_t k,
-                           std::size_t l,
-                           std::size_t f,
-                           std::vector<double>& ring) const
-  {
-    const FT centre = response(levels, v, k, l, f); // by the same operations as those it is compared with
-    for (Rest_shape::Index w : m_shape.neighbours()[v]) {
-      const FT same = response(levels, w, k, l, f);
-      if (!m_search.at_neighbour(centre, response(levels, w, k, l, f - 1), same, response(levels, w, k, l, f + 1)))
-        return false;
-      ring.push_back(double(same));
-    }
-    return true;
-  }
-
-  FT response(const Levels& levels, std::size_t v, std::size_t k, std::size_t l, std::size_t f) const
-  {
-    const FT a = FT(m_response.space_weight(k, l)), b = FT(m_response.time_weight(k, l));
-    const FT *upper = levels[k + above]->row(v), *lower = levels[k - below]->row(v), *same = levels[k]->row(v);
-    const FT *t = matrix_row(l, f), *t1 = matrix_row(l + above, f), *t0 = matrix_row(l - below, f);
-    const auto row = [&](const FT* r) { return Eigen::Map<const Row>(r, Eigen::Index(m_frames)); };
-    return a * ((row(upper) - row(lower)) * row(t)).sum() + b * (row(same) * (row(t1) - row(t0))).sum();
-  }
-
-  const FT* matrix_row(std::size_t l, std::size_t f) const { return m_matrices.data() + (l * m_frames + f) * m_frames; }
-
-  // Row f of the matrix of T_l holds the weights of all frames in frame f of level l: unit impulses, smoothed.
-  void tabulate_temporal_filter()
-  {
-    m_matrices.resize(m_time_levels * m_frames * m_frames);
-    std::vector<FT> in(m_frames), out(m_frames);
-    for (std::size_t j = 0; j < m_frames; ++j) {
-      std::fill(in.begin(), in.end(), FT(0));
-      in[j] = 1;
-      for (std::size_t l = 0; l < m_time_levels; ++l) {
-        m_temporal(l, in.data(), out.data());
-        for (std::size_t f = 0; f < m_frames; ++f) m_matrices[(l * m_frames + f) * m_frames + j] = out[f];
-        in.swap(out);
-      }
-    }
+    loop(0, [](std::size_t) {});
   }
 
   const Rest_shape& m_shape;
@@ -249,7 +276,8 @@ private:
   const TemporalFilter& m_temporal;
   const Response& m_response;
   const Search& m_search;
-  std::vector<FT> m_matrices; // [l][f][j]
+  std::size_t m_largest_batch = std::size_t(-1);
+  Instruction_set m_instructions = widest_instruction_set();
 };
 
 } // namespace internal

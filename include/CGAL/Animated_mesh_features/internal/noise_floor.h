@@ -19,9 +19,8 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// A body that moves rigidly has a deformation of rounding errors, and a constant field differences of rounding errors;
-// both have minima, and a relative threshold would make features of them. The strengths below are some hundred times
-// those.
+// A body that moves rigidly has a deformation of rounding errors. It has minima, and a relative threshold would make
+// features of them. (Rounding in the smoothing is Level_weights' business.)
 
 template <class FT>
 double largest_value(const Spatio_temporal_field<FT>& field)
@@ -32,14 +31,8 @@ double largest_value(const Spatio_temporal_field<FT>& field)
   return double(largest);
 }
 
-// Rounding in the smoothing of a field.
-template <class FT>
-double smoothing_noise(const Spatio_temporal_field<FT>& field)
-{
-  return 1000 * double(std::numeric_limits<FT>::epsilon()) * largest_value(field);
-}
-
-// Rounding of the coordinates, as a fraction of an edge: that much strain and curvature change are wrong by.
+// A hundred times the rounding of the coordinates, as a fraction of an edge: that much strain and curvature change are
+// wrong by.
 template <class FT>
 double deformation_noise(const Flat_animation<FT>& animation)
 {

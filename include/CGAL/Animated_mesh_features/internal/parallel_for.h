@@ -18,7 +18,9 @@
 #endif
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <thread>
 #include <type_traits>
 
 namespace CGAL {
@@ -41,8 +43,9 @@ void parallel_for(std::size_t first, std::size_t last, const Task& task)
   for (std::size_t i = first; i != last; ++i) task(i);
 }
 
-// A share of a stage: knows how to run tasks and whom to tell. Between portions of the tasks the calling thread - no
-// other - tells the visitor how far the stage is, and throws Cancelled if the visitor has had enough.
+// A share of a stage: knows how to run tasks and whom to tell. Between its own tasks the calling thread - no other -
+// tells the visitor how far the stage is. If the visitor has had enough, the tasks that have not begun are left out, and
+// Cancelled is thrown.
 template <class ConcurrencyTag, class Visitor>
 class Task_loop
 {
@@ -58,13 +61,25 @@ public:
   template <class Task>
   void operator()(std::size_t number_of_tasks, const Task& task) const
   {
-    // Few enough that starting and joining threads costs nothing, enough for a bar that moves.
-    constexpr std::size_t portions = 32;
-    const std::size_t portion = (std::max)(std::size_t(1), (number_of_tasks + portions - 1) / portions);
-    for (std::size_t first = 0; first < number_of_tasks; first += portion) {
-      tell(double(first) / double(number_of_tasks));
-      parallel_for<ConcurrencyTag>(first, (std::min)(first + portion, number_of_tasks), task);
-    }
+    tell(0);
+    // Often enough for a bar that moves, seldom enough to cost nothing. The tasks are never divided into portions that
+    // wait for one another: at the end of each, all threads but one would be idle.
+    constexpr std::size_t times = 32;
+    const std::size_t portion = (std::max)(std::size_t(1), number_of_tasks / times);
+    const std::thread::id caller = std::this_thread::get_id();
+    std::atomic<std::size_t> done(0);
+    std::atomic<bool> is_cancelled(false);
+    std::size_t told = 0; // the caller's
+    parallel_for<ConcurrencyTag>(0, number_of_tasks, [&](std::size_t i) {
+      if (is_cancelled.load(std::memory_order_relaxed)) return;
+      task(i);
+      const std::size_t now = done.fetch_add(1, std::memory_order_relaxed) + 1;
+      if (std::this_thread::get_id() != caller || now < told + portion || now == number_of_tasks) return;
+      told = now;
+      if (!m_visitor->progress(m_stage, at(double(now) / double(number_of_tasks))))
+        is_cancelled.store(true, std::memory_order_relaxed);
+    });
+    if (is_cancelled) throw Cancelled();
     tell(1);
   }
 

@@ -8,7 +8,7 @@
 #define CGAL_ANIMATED_MESH_FEATURES_INTERNAL_REFINE_EXTREMUM_H
 
 #include <CGAL/Animated_mesh_features/Rest_shape.h>
-#include <CGAL/Animated_mesh_features/internal/Scale_space_engine.h>
+#include <CGAL/Animated_mesh_features/internal/Extremum.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_INTERNAL_LEVEL_WEIGHTS_H
+#define CGAL_ANIMATED_MESH_FEATURES_INTERNAL_LEVEL_WEIGHTS_H
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace internal {
+
+// The weights of the two differences of a response at all levels, tabulated, and what is rounding beside them.
+class Level_weights
+{
+public:
+  // The share of the largest response that the weights allow, (|a| + |b|) max |d|, below which a response counts as
+  // zero: the rounding of single precision. Surfaces that rest come with more noise than that once they have been
+  // through a file.
+  static constexpr double noise = std::numeric_limits<float>::epsilon();
+
+  // For space levels [below, space_levels - above), time levels likewise.
+  template <class Response>
+  Level_weights(const Response& response, std::size_t space_levels, std::size_t time_levels, double largest_value)
+    : m_time_levels(time_levels)
+    , m_space(space_levels * time_levels, 0)
+    , m_time(space_levels * time_levels, 0)
+    , m_noise(noise * largest_value)
+  {
+    for (std::size_t k = Response::below; k + Response::above < space_levels; ++k)
+      for (std::size_t l = Response::below; l + Response::above < time_levels; ++l) {
+        m_space[k * time_levels + l] = response.space_weight(k, l);
+        m_time[k * time_levels + l] = response.time_weight(k, l);
+      }
+  }
+
+  double space(std::size_t k, std::size_t l) const { return m_space[k * m_time_levels + l]; }
+  double time(std::size_t k, std::size_t l) const { return m_time[k * m_time_levels + l]; }
+
+  // A response that is not larger is no extremum.
+  double floor(std::size_t k, std::size_t l) const
+  {
+    return m_noise * (std::abs(space(k, l)) + std::abs(time(k, l)));
+  }
+
+private:
+  std::size_t m_time_levels;
+  std::vector<double> m_space, m_time; // [k][l]
+  double m_noise;
+};
+
+} // namespace internal
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_INTERNAL_LEVEL_WEIGHTS_H
