@@ -188,16 +188,18 @@ Factor factor(const Rest_shape& shape, const std::vector<Rest_shape::Index>& ver
   return result;
 }
 
-// Two solves of the equations of a cluster's patch for each vertex, as Heat_method_geodesic_balls documents it: 64
-// vertices, and a patch of one radius and three edge lengths around them.
+// Two solves of the equations of a cluster's patch for each vertex, as Heat_method_geodesic_balls documents it.
 Stage_cost balls_cost(const Rest_shape& shape, double radius)
 {
   const double h = shape.mean_edge_length();
-  const std::size_t cluster = Amf::Heat_method_geodesic_balls().cluster_size;
+  const Amf::Heat_method_geodesic_balls policy;
+  const double beyond = radius + policy.patch_margin * h;
+  // Clusters are the cells of seeds some 1.2 times their radius apart, here discs of the same area of equilateral
+  // triangles.
   const double pi = 3.14159265358979323846;
-  // of a disc with as many vertices, in equilateral triangles
-  const double cluster_radius = h * std::sqrt(double(cluster) * std::sqrt(3.) / 2 / pi);
-  const double reach = cluster_radius + radius + Amf::Heat_method_geodesic_balls().patch_margin * h;
+  const double cluster_radius = 0.63 * policy.cluster_radius * beyond;
+  const double cluster = pi * cluster_radius * cluster_radius / (h * h * std::sqrt(0.75));
+  const double reach = cluster_radius + beyond;
   const Amf::Compressed_rows patches = Amf::Dijkstra_geodesic_balls()(shape, reach, Policy_loop());
   const std::size_t samples = 20;
   double operations = 0, bytes = 0;
@@ -208,9 +210,9 @@ Stage_cost balls_cost(const Rest_shape& shape, double radius)
     const double triangles = 2 * double(vertices.size());
     // Two factorisations for the cluster; for each source forward and back substitution in both, gradient, its norm and
     // its divergence in each triangle.
-    operations += 2 * f.operations / double(cluster) + 2 * 4 * f.entries + 50 * triangles;
+    operations += 2 * f.operations / cluster + 2 * 4 * f.entries + 50 * triangles;
     // Both factors, values and indices, in and out of the caches once for the cluster.
-    bytes += 2 * 2 * 12 * f.entries / double(cluster);
+    bytes += 2 * 2 * 12 * f.entries / cluster;
   }
   return {"geodesic balls, heat method",
           "ball",
@@ -218,7 +220,7 @@ Stage_cost balls_cost(const Rest_shape& shape, double radius)
           double(shape.number_of_vertices()),
           operations / double(samples),
           bytes / double(samples),
-          2 * bytes * double(cluster) / double(samples)};
+          2 * bytes * cluster / double(samples)};
 }
 
 template <class Seq>

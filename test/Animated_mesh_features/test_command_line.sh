@@ -323,9 +323,11 @@ done
 check 'green_lagrange["features"] != stretch["features"] != largest_eigenvalue["features"]'
 differs --curvature dihedral
 differs --balls dijkstra
-find_features --balls heat-global
-check 'p(x)["balls"] == "heat-global" and
-       near(x["features"][0]["strength"], base["features"][0]["strength"], 0.01)'
+for balls in heat-patches heat-global; do
+  find_features --balls $balls
+  check "p(x)['balls'] == '$balls' and
+         near(x['features'][0]['strength'], base['features'][0]['strength'], 0.01)"
+done
 differs --ball-radius 12%
 check 'near(p(x)["ball_radius"], 0.12 * x["animation"]["bounding_box_diagonal"])'
 cp x.json percent.json

@@ -20,7 +20,7 @@ namespace Detect_features {
 enum class Preset { CALIBRATED, PUBLISHED };
 enum class Strain { HENCKY, GREEN_LAGRANGE, STRETCH, LARGEST_EIGENVALUE };
 enum class Curvature { DENSITY, DIHEDRAL };
-enum class Balls { HEAT, HEAT_GLOBAL, DIJKSTRA };
+enum class Balls { HEAT, HEAT_PATCHES, HEAT_GLOBAL, DIJKSTRA };
 enum class Spatial_filter { HEAT, ONE_RING };
 enum class Temporal_filter { GAUSSIAN, BOX };
 enum class Field { STRAIN, CURVATURE, DEFORMATION };
@@ -46,7 +46,10 @@ inline Names<Curvature> names(Curvature)
 }
 inline Names<Balls> names(Balls)
 {
-  return {{"heat", Balls::HEAT}, {"heat-global", Balls::HEAT_GLOBAL}, {"dijkstra", Balls::DIJKSTRA}};
+  return {{"heat", Balls::HEAT},
+          {"heat-patches", Balls::HEAT_PATCHES},
+          {"heat-global", Balls::HEAT_GLOBAL},
+          {"dijkstra", Balls::DIJKSTRA}};
 }
 inline Names<Spatial_filter> names(Spatial_filter)
 {

@@ -9,7 +9,9 @@
 
 #include "Choices.h"
 
+#include <CGAL/Animated_mesh_features/CGAL_heat_method_geodesic_balls.h>
 #include <CGAL/Animated_mesh_features/Dijkstra_geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Global_heat_method_geodesic_balls.h>
 #include <CGAL/Animated_mesh_features/Heat_diffusion_filter.h>
 #include <CGAL/Animated_mesh_features/Heat_method_geodesic_balls.h>
 #include <CGAL/Animated_mesh_features/One_ring_average_filter.h>
@@ -63,6 +65,7 @@ public:
   {
     switch (balls) {
     case Balls::HEAT: m_balls = AMF::Heat_method_geodesic_balls(); break;
+    case Balls::HEAT_PATCHES: m_balls = AMF::CGAL_heat_method_geodesic_balls(); break;
     case Balls::HEAT_GLOBAL: m_balls = AMF::Global_heat_method_geodesic_balls(); break;
     case Balls::DIJKSTRA: m_balls = AMF::Dijkstra_geodesic_balls(); break;
     }
@@ -75,7 +78,8 @@ public:
   }
 
 private:
-  std::variant<AMF::Heat_method_geodesic_balls, AMF::Global_heat_method_geodesic_balls, AMF::Dijkstra_geodesic_balls>
+  std::variant<AMF::Heat_method_geodesic_balls, AMF::CGAL_heat_method_geodesic_balls,
+               AMF::Global_heat_method_geodesic_balls, AMF::Dijkstra_geodesic_balls>
       m_balls;
 };
 

@@ -64,8 +64,8 @@ po::options_description described_options(Command_line& c, Text& t)
   add_method("curvature", text(t.curvature, "NAME"),
              "density: of mean curvature (default); dihedral: mean of dihedral angles (p)");
   add_method("balls", text(t.balls, "NAME"),
-             "geodesic balls for the curvature: heat method on local patches (heat, default) or on the whole mesh "
-             "(heat-global, slow), or paths along edges (dijkstra)");
+             "geodesic balls for the curvature: heat method (heat, default), the same by CGAL's class on local patches "
+             "(heat-patches, slow) or on the whole mesh (heat-global, very slow), or paths along edges (dijkstra)");
   add_method(
       "ball-radius", text(t.ball_radius, "R"),
       "length, or % of the diagonal (default: 4.5 % of the diameter of the rest shape, at least 3 mean edge lengths)");

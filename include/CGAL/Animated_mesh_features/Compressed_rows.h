@@ -43,6 +43,17 @@ public:
     }
   }
 
+  /// rows of these sizes, to be filled in through `row()`.
+  explicit Compressed_rows(const std::vector<Index>& sizes) : m_offsets(1, 0)
+  {
+    m_offsets.reserve(sizes.size() + 1);
+    for (Index size : sizes) m_offsets.push_back(m_offsets.back() + size);
+    m_entries.resize(m_offsets.back());
+  }
+
+  /// the beginning of the `i`-th row.
+  Index* row(std::size_t i) { return m_entries.data() + m_offsets[i]; }
+
   /// appends the row `[first, last)`.
   template <class InputIterator>
   void push_back(InputIterator first, InputIterator last)

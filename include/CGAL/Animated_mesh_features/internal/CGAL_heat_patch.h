@@ -4,12 +4,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_ANIMATED_MESH_FEATURES_INTERNAL_HEAT_PATCH_H
-#define CGAL_ANIMATED_MESH_FEATURES_INTERNAL_HEAT_PATCH_H
+#ifndef CGAL_ANIMATED_MESH_FEATURES_INTERNAL_CGAL_HEAT_PATCH_H
+#define CGAL_ANIMATED_MESH_FEATURES_INTERNAL_CGAL_HEAT_PATCH_H
 
 #include <CGAL/Animated_mesh_features/Animation_report.h>
 #include <CGAL/Animated_mesh_features/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/internal/Bounded_dijkstra.h>
+#include <CGAL/Animated_mesh_features/internal/ball_reach.h>
 
 // The heat method is written against an Eigen solver; the including program may not have said so.
 #ifndef CGAL_EIGEN3_ENABLED
@@ -19,8 +21,13 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <memory>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -30,7 +37,7 @@ namespace internal {
 
 // CGAL's heat method on some triangles of a rest shape, for one source after the other. Degenerate triangles are left
 // out, since their gradient is not a number; vertices that are then in no triangle have no distance.
-class Heat_patch
+class CGAL_heat_patch
 {
 public:
   typedef Rest_shape::Index Index;
@@ -39,7 +46,7 @@ public:
   typedef CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, CGAL::Heat_method_3::Direct> Heat_method;
 
   template <class TriangleIds>
-  Heat_patch(const Rest_shape& shape, const TriangleIds& triangles)
+  CGAL_heat_patch(const Rest_shape& shape, const TriangleIds& triangles)
   {
     for (std::size_t t : triangles) {
       if (is_degenerate(shape, t)) continue;
@@ -104,8 +111,29 @@ private:
   std::unique_ptr<Heat_method> m_heat_method;
 };
 
+// The vertices within the radius of a source, by the heat method's distance clamped to [Euclid, shortest path along
+// edges]: both are bounds of the geodesic distance, and the heat method's own error a few edges from the source (6 to
+// 8 %) often lies outside of them.
+inline std::vector<Rest_shape::Index> clamped_heat_ball(const Rest_shape& shape,
+                                                        Bounded_dijkstra& dijkstra,
+                                                        CGAL_heat_patch& patch,
+                                                        Rest_shape::Index source,
+                                                        double radius)
+{
+  const std::array<Rest_shape::Index, 1> sources = {{source}};
+  const bool has_heat = patch.run(source);
+  std::vector<Rest_shape::Index> ball;
+  for (Rest_shape::Index v : dijkstra.run(sources, ball_reach * radius)) {
+    const double euclid = (shape.points()[v] - shape.points()[source]).norm();
+    if (euclid > radius) continue;
+    if (dijkstra.distance(v) <= radius || (has_heat && patch.distance(v) <= radius)) ball.push_back(v);
+  }
+  std::sort(ball.begin(), ball.end());
+  return ball;
+}
+
 } // namespace internal
 } // namespace Animated_mesh_features
 } // namespace CGAL
 
-#endif // CGAL_ANIMATED_MESH_FEATURES_INTERNAL_HEAT_PATCH_H
+#endif // CGAL_ANIMATED_MESH_FEATURES_INTERNAL_CGAL_HEAT_PATCH_H
