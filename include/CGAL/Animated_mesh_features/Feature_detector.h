@@ -67,6 +67,11 @@ public:
   /// which minima become features may be changed at any time.
   Feature_selection& selection() { return m_options.selection; }
 
+  /// limits the memory of the space levels that are kept at a time, in bytes; by default there is no limit, and 18 levels
+  /// of `N x F` doubles at most. At least 5 are kept. Fewer levels cost time, as two of each batch are searched twice;
+  /// they do not change the result.
+  void set_level_memory(std::size_t bytes) { m_level_memory = bytes; }
+
   /// \name Fields
   /// computed at the first call. The visitor is a model of `DetectionVisitor`.
   /// \throw Numerical_error, Cancelled, Option_error
@@ -149,7 +154,7 @@ public:
   writes the features to `out`, strongest first.
 
   Time: linear in `N F` times the number of space levels times the number of time levels, plus the spatial filter.
-  Memory: up to 16 fields of `N x F`, the space levels of a batch.
+  Memory: up to 18 fields of `N x F` doubles, the space levels of a batch; see `set_level_memory()`.
 
   \param out an output iterator of `Feature`.
   \param visitor a model of `DetectionVisitor`.
@@ -237,6 +242,10 @@ private:
                                  typename Options::ExtremumSearch>
         engine(shape, frames, m_sigma.size(), m_tau.size(), m_options.temporal_filter, m_options.response,
                m_options.search);
+    const std::size_t level_size = Spatio_temporal_field<double>::memory(shape.number_of_vertices(), frames);
+    constexpr std::size_t around = Options::SpaceTimeResponse::below + Options::SpaceTimeResponse::above + 2;
+    const std::size_t levels_in_memory = m_level_memory / level_size;
+    engine.set_largest_batch(levels_in_memory > around ? levels_in_memory - around : 1);
     const std::vector<internal::Extremum> extrema =
         engine.template run<ConcurrencyTag>(field, m_options.spatial_filter, visitor);
 
@@ -295,6 +304,7 @@ private:
   bool m_is_own_field = false; // m_deformation
   std::optional<std::vector<Feature>> m_minima; // strongest first
   std::vector<double> m_sigma, m_tau;
+  std::size_t m_level_memory = std::size_t(-1);
 };
 
 } // namespace Animated_mesh_features

@@ -7,11 +7,11 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_SPATIO_TEMPORAL_FIELD_H
 #define CGAL_ANIMATED_MESH_FEATURES_SPATIO_TEMPORAL_FIELD_H
 
-#include <boost/align/aligned_allocator.hpp>
+#include <CGAL/Animated_mesh_features/Field_memory.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
+#include <utility>
 
 namespace CGAL {
 namespace Animated_mesh_features {
@@ -25,7 +25,8 @@ The frames of a simplex are contiguous, so that whatever acts on the surface (av
 geodesic balls) is a combination of rows and runs over the frames in vector registers. Rows start at multiples of
 64 bytes; the padding behind a row's last frame is part of the array, is zero at first, and may be overwritten.
 
-Row `i` belongs to the `i`-th element of `vertices(mesh)` (or of `faces(mesh)`).
+Row `i` belongs to the `i`-th element of `vertices(mesh)` (or of `faces(mesh)`). The values live in the `Field_memory` that
+is current when the field is made.
 
 \tparam FT `float` or `double`.
 */
@@ -44,7 +45,7 @@ public:
     : m_rows(number_of_rows)
     , m_frames(number_of_frames)
     , m_stride(padded(number_of_frames))
-    , m_values(number_of_rows * m_stride, FT(0))
+    , m_values(number_of_rows * m_stride)
   {
   }
 
@@ -63,6 +64,12 @@ public:
 
   /// the memory that the values take, in bytes.
   std::size_t memory() const { return m_values.size() * sizeof(FT); }
+
+  /// that of a field before there is one.
+  static std::size_t memory(std::size_t number_of_rows, std::size_t number_of_frames)
+  {
+    return number_of_rows * padded(number_of_frames) * sizeof(FT);
+  }
 
   void swap(Spatio_temporal_field& other)
   {
@@ -85,7 +92,7 @@ private:
   std::size_t m_rows = 0;
   std::size_t m_frames = 0;
   std::size_t m_stride = 0;
-  std::vector<FT, boost::alignment::aligned_allocator<FT, 64>> m_values;
+  internal::Field_values<FT> m_values;
 };
 
 } // namespace Animated_mesh_features
