@@ -467,7 +467,7 @@ struct Dense_heat
   }
 };
 
-void test_heat_against_dense_matrices()
+void test_heat_against_dense_matrices(const Row& variances, std::size_t levels_in_double)
 {
   Random random(35);
   Shape s = irregular_square(9, random, 0.35);
@@ -481,14 +481,13 @@ void test_heat_against_dense_matrices()
     for (std::size_t f = 0; f < frames; ++f) dense(Eigen::Index(v), Eigen::Index(f)) = field(v, f) = random(-1, 2);
   const Dense_heat heat(s);
   Amf::Heat_diffusion_filter filter;
-  const Row variances = {0, 0.003, 0.003, 0.01, 0.3};
   const auto levels = levels_of(filter, shape, variances, field);
-  CHECK(same_values(levels[0], field)); // steps of zero
-  CHECK(same_values(levels[1], levels[2]));
   const Eigen::VectorXd total = dense.transpose() * heat.mass;
   for (std::size_t k = 0; k < variances.size(); ++k) {
     CHECK(filter.variance(k) == variances[k] && filter.variance(k, 3) == variances[k]);
-    dense = heat.step(variances[k] - (k > 0 ? variances[k - 1] : 0)) * dense;
+    const double step = variances[k] - (k > 0 ? variances[k - 1] : 0);
+    if (step == 0) CHECK(same_values(levels[k], k > 0 ? levels[k - 1] : field));
+    dense = heat.step(step) * dense;
     double worst = 0;
     Eigen::VectorXd now = Eigen::VectorXd::Zero(Eigen::Index(frames));
     for (std::size_t v = 0; v < n; ++v)
@@ -496,8 +495,11 @@ void test_heat_against_dense_matrices()
         worst = (std::max)(worst, std::abs(levels[k](v, f) - dense(Eigen::Index(v), Eigen::Index(f))));
         now[Eigen::Index(f)] += heat.mass[Eigen::Index(v)] * levels[k](v, f);
       }
-    CHECK(worst < 1e-12);
-    CHECK((now - total).cwiseAbs().maxCoeff() < 1e-12 * total.cwiseAbs().maxCoeff()); // heat is kept
+    const double lost = (now - total).cwiseAbs().maxCoeff() / total.cwiseAbs().maxCoeff(); // heat is kept
+    std::cout << "heat against dense matrices, level " << k << ": error " << worst << ", heat lost " << lost
+              << std::endl;
+    CHECK(worst < (k < levels_in_double ? 1e-12 : 4e-7));
+    CHECK(lost < (k < levels_in_double ? 1e-12 : 5e-8));
   }
   // symmetric with respect to the masses: <a, S b> = <S a, b> for all pairs of frames
   const auto once = levels_of(filter, shape, {0.02}, field);
@@ -515,8 +517,8 @@ void test_heat_against_dense_matrices()
   Field constant(n, 3);
   for (std::size_t v = 0; v < n; ++v)
     for (std::size_t f = 0; f < 3; ++f) constant(v, f) = 0.7;
-  for (const Field& level : levels_of(filter, shape, {0.001, 0.1, 10}, constant))
-    CHECK(largest_difference(level, constant) < 1e-11);
+  for (const Field& level : levels_of(filter, shape, {0.001, 0.1, 0.2, 10}, constant))
+    CHECK(same_values(level, constant));
   CHECK_NEAR(filter.unit_variance(shape), 3 * std::pow(shape.mean_edge_length(), 2) / 7, 1e-15);
   CHECK(filter.smallest_variance(shape) > 0 && filter.smallest_variance(shape) < filter.unit_variance(shape));
 }
@@ -676,7 +678,8 @@ int main()
   test_one_ring_scale_at_vertices(0, 0.06, 0.15);
   test_one_ring_scale_at_vertices(0.3, 0.1, 0.25);
   test_one_ring_pass();
-  test_heat_against_dense_matrices();
+  test_heat_against_dense_matrices({0, 0.003, 0.003, 0.03, 0.3}, 5); // steps large enough for double precision
+  test_heat_against_dense_matrices({0, 0.003, 0.003, 0.01, 0.03, 0.08, 0.2, 0.5}, 3);
   test_heat_kernel();
   test_heat_of_blobs();
   test_incomplete_meshes(Amf::One_ring_average_filter(), false);

@@ -7,14 +7,14 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_HEAT_DIFFUSION_FILTER_H
 #define CGAL_ANIMATED_MESH_FEATURES_HEAT_DIFFUSION_FILTER_H
 
-#include <CGAL/Animated_mesh_features/Animation_report.h>
 #include <CGAL/Animated_mesh_features/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
-#include <CGAL/Animated_mesh_features/internal/Frame_block.h>
-#include <CGAL/Animated_mesh_features/internal/Lane_cholesky.h>
+#include <CGAL/Animated_mesh_features/internal/Heat_step.h>
+#include <CGAL/Animated_mesh_features/internal/Heat_system.h>
+#include <CGAL/Animated_mesh_features/internal/Thread_local.h>
+#include <CGAL/Animated_mesh_features/internal/run_vectorized.h>
 
-#include <Eigen/SparseCore>
-
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -37,6 +37,13 @@ decays differently, which biases detected scales by +11 %.)
 
 The matrix of a level is factored once and used for all frames, several of which are solved at a time. A vertex that is
 in no proper triangle keeps its values.
+
+What a level changes is solved for in single precision, but in double precision by the first levels, in which values of
+any roughness meet the steep weights of slivers: an error of some \f$10^{-7}\f$ of the largest change of a level. A
+constant field stays as it is, bit for bit. The result does not depend on the processor.
+
+Complexity of a level: a factorisation, with some `50 N` entries at N = 100,000, and `F` solves with it; see there. Memory:
+`O(N)` for a thread, and the factors of as many levels at a time as fit into the memory of the field, but two at least.
 */
 class Heat_diffusion_filter
 {
@@ -53,9 +60,8 @@ public:
   void initialize(const Rest_shape& shape, const std::vector<double>& variances, const Loop&)
   {
     m_variances = variances;
-    assemble(shape);
-    m_cholesky = std::make_shared<internal::Lane_cholesky>();
-    m_cholesky->analyze(system(1));
+    m_system = std::make_shared<internal::Heat_system>(shape);
+    m_factors.assign(variances.size(), Factor());
   }
 
   /// the variance of level `k`, exactly the one that was asked for.
@@ -66,85 +72,123 @@ public:
 
   /// smooths all frames from level `k` - 1 (the unsmoothed field for `k` = 0) to level `k`.
   /// \throw Numerical_error if the factorisation fails.
+  template <class Loop>
+  void operator()(std::size_t k,
+                  const Spatio_temporal_field<double>& in,
+                  Spatio_temporal_field<double>& out,
+                  const Loop& loop)
+  {
+    if (variance_step(k) == 0) {
+      out = in;
+      return;
+    }
+    const bool is_factored = m_factors[k].single || m_factors[k].precise;
+    if (!is_factored) factor_levels(k, in.memory(), loop.part(0, 2));
+    const Loop solve_loop = is_factored ? loop : loop.part(1, 2);
+    const Factor factor = std::move(m_factors[k]);
+    m_factors[k] = Factor(); // each level is asked for once
+    if (factor.single)
+      step(k, *factor.single, in, out, solve_loop);
+    else
+      step(k, *factor.precise, in, out, solve_loop);
+  }
+
+  /// the same for fields of `float`, by way of fields of `double`.
   template <class FT, class Loop>
   void operator()(std::size_t k, const Spatio_temporal_field<FT>& in, Spatio_temporal_field<FT>& out, const Loop& loop)
   {
-    const double t = (m_variances[k] - (k > 0 ? m_variances[k - 1] : 0)) / 2;
-    out = in;
-    if (t == 0) return;
-    const double gamma = 1 - 1 / std::sqrt(2.);
-    m_cholesky->factorize(system(gamma * t));
-    loop(internal::Frame_block<FT>::number_of_blocks(in.number_of_frames()),
-         [&](std::size_t block) { step(block, in, out); });
+    Spatio_temporal_field<double> precise_in(in.number_of_rows(), in.number_of_frames());
+    Spatio_temporal_field<double> precise_out(in.number_of_rows(), in.number_of_frames());
+    for (std::size_t v = 0; v < in.number_of_rows(); ++v)
+      std::copy_n(in.row(v), in.number_of_frames(), precise_in.row(v));
+    operator()(k, precise_in, precise_out, loop);
+    for (std::size_t v = 0; v < in.number_of_rows(); ++v)
+      std::transform(precise_out.row(v), precise_out.row(v) + in.number_of_frames(), out.row(v),
+                     [](double x) { return FT(x); });
   }
 
 private:
+  // One of the two, as long as it is needed; copies of the filter share it.
+  struct Factor
+  {
+    std::shared_ptr<const internal::Supernodal_factor<float>> single;
+    std::shared_ptr<const internal::Supernodal_factor<double>> precise;
+  };
+
   static double squared(double x) { return x * x; }
 
-  template <class FT>
-  void step(std::size_t block, const Spatio_temporal_field<FT>& in, Spatio_temporal_field<FT>& out) const
+  double variance_step(std::size_t k) const { return m_variances[k] - (k > 0 ? m_variances[k - 1] : 0); }
+
+  // t in the matrix M + t L
+  double time_step(std::size_t k) const { return (1 - 1 / std::sqrt(2.)) * variance_step(k) / 2; }
+
+  // Errors are relative to the right-hand side, a sum of differences with the weights of the edges, which are as large as
+  // slivers are flat. Where the field is rough, that is much larger than the change. It no longer is once smoothing has
+  // evened out the ends of such edges; each doubling of what is left of it is a doubling of the error.
+  bool needs_double_precision(std::size_t k) const
   {
-    typedef internal::Frame_block<FT> Block;
+    const double largest_growth = 8;
+    return k == 0 || variance_step(k) > largest_growth * m_variances[k - 1];
+  }
+
+  // Level k and those behind it, at the same time, as far as memory goes.
+  template <class Loop>
+  void factor_levels(std::size_t k, std::size_t memory, const Loop& loop)
+  {
+    std::vector<std::size_t> levels;
+    std::size_t size = 0;
+    for (std::size_t i = k; i < m_variances.size(); ++i) {
+      if (variance_step(i) == 0) continue;
+      size += m_system->supernodes().number_of_values() * (needs_double_precision(i) ? sizeof(double) : sizeof(float));
+      if (levels.size() >= 2 && size > memory) break;
+      levels.push_back(i);
+    }
+    const internal::Instruction_set instructions = internal::widest_instruction_set();
+    loop(levels.size(), [&](std::size_t i) {
+      Factor& factor = m_factors[levels[i]];
+      const double t = time_step(levels[i]);
+      if (needs_double_precision(levels[i]))
+        factor.precise = std::make_shared<internal::Supernodal_factor<double>>(m_system->factor<double>(t, instructions));
+      else
+        factor.single = std::make_shared<internal::Supernodal_factor<float>>(m_system->factor<float>(t, instructions));
+    });
+  }
+
+  template <class T, class Loop>
+  void step(std::size_t k,
+            const internal::Supernodal_factor<T>& factor,
+            const Spatio_temporal_field<double>& in,
+            Spatio_temporal_field<double>& out,
+            const Loop& loop) const
+  {
+    typedef internal::Aligned_vector<T> Workspace;
+    const internal::Instruction_set instructions = internal::widest_instruction_set();
+    constexpr std::size_t vertices_per_task = 256;
     const std::size_t n = in.number_of_rows();
-    std::vector<typename Block::Array> x(n);
-    for (std::size_t v = 0; v < n; ++v) x[m_cholesky->position(v)] = Block::load(in, v, block) * FT(m_mass[v]);
-    m_cholesky->solve<FT>(x); // B in
-    for (std::size_t v = 0; v < n; ++v) {
-      auto& y = x[m_cholesky->position(v)];
-      Block::at(out, v, block) = y * FT(-std::sqrt(2.));
-      y *= FT(m_mass[v]);
-    }
-    m_cholesky->solve<FT>(x); // B^2 in
-    for (std::size_t v = 0; v < n; ++v)
-      Block::at(out, v, block) += x[m_cholesky->position(v)] * FT(1 + std::sqrt(2.));
-  }
-
-  void assemble(const Rest_shape& shape)
-  {
-    typedef Eigen::Triplet<double> Entry;
-    const std::size_t n = shape.number_of_vertices();
-    m_mass.assign(n, 0);
-    std::vector<Entry> entries;
-    entries.reserve(12 * shape.triangles().size());
-    for (Rest_shape::Index t : shape.ordered_triangles()) {
-      if (is_degenerate(shape, t)) continue;
-      const Rest_shape::Triangle& corner = shape.triangles()[t];
-      for (int i = 0; i < 3; ++i) {
-        const int a = int(corner[(i + 1) % 3]), b = int(corner[(i + 2) % 3]);
-        const Rest_shape::Point& p = shape.points()[corner[i]];
-        m_mass[corner[i]] += shape.areas()[t] / 3;
-        // half the cotangent of the angle at p: (u . w) / |u x w| / 2 with |u x w| = 2 area
-        const double c = (shape.points()[a] - p).dot(shape.points()[b] - p) / (4 * shape.areas()[t]);
-        entries.emplace_back(a, b, -c);
-        entries.emplace_back(b, a, -c);
-        entries.emplace_back(a, a, c);
-        entries.emplace_back(b, b, c);
-      }
-    }
-    // in units of the mean mass, so that the matrices do not depend on the unit of length
-    double total = 0;
-    for (double m : m_mass) total += m;
-    const double mean = total / double(n);
-    for (std::size_t v = 0; v < n; ++v) {
-      m_mass[v] = m_mass[v] > 0 ? m_mass[v] / mean : 1;
-      entries.emplace_back(int(v), int(v), 0); // a vertex in no proper triangle has a diagonal, too
-    }
-    m_laplacian.resize(Eigen::Index(n), Eigen::Index(n));
-    m_laplacian.setFromTriplets(entries.begin(), entries.end());
-    m_laplacian /= mean;
-  }
-
-  Eigen::SparseMatrix<double> system(double t) const
-  {
-    Eigen::SparseMatrix<double> a = t * m_laplacian;
-    for (std::size_t v = 0; v < m_mass.size(); ++v) a.coeffRef(Eigen::Index(v), Eigen::Index(v)) += m_mass[v];
-    return a;
+    loop.part(0, 2)((n + vertices_per_task - 1) / vertices_per_task, [&](std::size_t task) {
+      const std::size_t first = task * vertices_per_task;
+      internal::Heat_source source{
+          *m_system, time_step(k), in, out, first, (std::min)(n, first + vertices_per_task)};
+      internal::run_reproducibly<double>(instructions, source);
+    });
+    const internal::Heat_step<T> prototype{*m_system, factor, in, out};
+    // two lines use each panel of the factor while it is in the cache, unless that leaves too few tasks
+    const std::size_t lines = prototype.number_of_lines(), lines_per_task = lines >= 8 ? 2 : 1;
+    internal::Thread_local<Workspace> workspaces;
+    loop.part(1, 2)((lines + lines_per_task - 1) / lines_per_task, [&](std::size_t task) {
+      internal::Heat_step<T> some = prototype;
+      Workspace& workspace =
+          workspaces.get([&] { return std::make_unique<Workspace>(some.workspace_size(lines_per_task)); });
+      some.first = task * lines_per_task;
+      some.lines = (std::min)(lines_per_task, lines - some.first);
+      some.workspace = workspace.data();
+      internal::run_reproducibly<T>(instructions, some);
+    });
   }
 
   std::vector<double> m_variances;
-  std::vector<double> m_mass; // in units of the mean mass
-  Eigen::SparseMatrix<double> m_laplacian;
-  std::shared_ptr<internal::Lane_cholesky> m_cholesky; // copies of the filter share it until they are initialized
+  std::shared_ptr<const internal::Heat_system> m_system;
+  std::vector<Factor> m_factors;
 };
 
 } // namespace Animated_mesh_features

@@ -84,6 +84,18 @@ void run_vectorized(Instruction_set instructions, Kernel& kernel)
   kernel.template run<Baseline_register<T>::value>();
 }
 
+// The same with AVX2 at most, so that what is computed has the same bits whatever the processor: with AVX512 come fused
+// operations, which the compiler uses where it can. For results that are kept; the kernel needs no run<64>().
+template <class T, class Kernel>
+void run_reproducibly(Instruction_set instructions, Kernel& kernel)
+{
+#ifdef CGAL_ANIMATED_MESH_FEATURES_CHOOSES_INSTRUCTIONS
+  if (instructions >= Instruction_set::AVX2) return run_avx2(kernel);
+#endif
+  (void)instructions;
+  kernel.template run<Baseline_register<T>::value>();
+}
+
 } // namespace internal
 } // namespace Animated_mesh_features
 } // namespace CGAL

@@ -1,0 +1,235 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The sparse factorisation and the solves behind heat diffusion against dense matrices, for graphs of all kinds, and
+// the same bits with any vector instructions and any number of right-hand sides at a time.
+
+#include "test_shapes.h"
+
+#include <CGAL/Animated_mesh_features/internal/Heat_step.h>
+#include <CGAL/Animated_mesh_features/internal/Solve_kernel.h>
+#include <CGAL/Animated_mesh_features/internal/Supernodal_factor.h>
+#include <CGAL/Animated_mesh_features/internal/run_vectorized.h>
+
+#include <Eigen/Dense>
+
+#include <iostream>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace Amf = CGAL::Animated_mesh_features;
+namespace Ai = CGAL::Animated_mesh_features::internal;
+using namespace test_support;
+
+typedef std::vector<std::set<std::uint32_t>> Graph;
+
+void join(Graph& graph, std::size_t a, std::size_t b)
+{
+  if (a == b) return;
+  graph[a].insert(std::uint32_t(b));
+  graph[b].insert(std::uint32_t(a));
+}
+
+Amf::Compressed_rows rows_of(const Graph& graph)
+{
+  Amf::Compressed_rows rows;
+  for (const auto& row : graph) rows.push_back(row.begin(), row.end());
+  return rows;
+}
+
+// A positive definite matrix with entries where the graph has edges.
+Eigen::MatrixXd matrix_of(const Graph& graph, Random& random)
+{
+  const Eigen::Index n = Eigen::Index(graph.size());
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    a(i, i) += random.power(0.01, 1);
+    for (std::uint32_t j : graph[std::size_t(i)])
+      if (Eigen::Index(j) < i) {
+        const double x = random(-1, 0.3), y = std::abs(x) * random.power(0.5, 2);
+        a(i, j) = a(j, i) = x;
+        a(i, i) += y;
+        a(j, j) += x * x / y;
+      }
+  }
+  return a;
+}
+
+std::vector<Ai::Instruction_set> instruction_sets()
+{
+  std::vector<Ai::Instruction_set> sets = {Ai::Instruction_set::BASELINE};
+  if (Ai::widest_instruction_set() >= Ai::Instruction_set::AVX2) sets.push_back(Ai::Instruction_set::AVX2);
+  if (Ai::widest_instruction_set() == Ai::Instruction_set::AVX512) sets.push_back(Ai::Instruction_set::AVX512);
+  return sets;
+}
+
+template <class T>
+Eigen::MatrixXd solved(const Ai::Supernodes& supernodes, const Ai::Supernodal_factor<T>& factor,
+                       const Eigen::MatrixXd& b, std::size_t lines, Ai::Instruction_set instructions)
+{
+  const std::size_t n = supernodes.number_of_columns(), lanes = Ai::Solve_kernel<T>::lanes;
+  Ai::Aligned_vector<T> x((n + 1) * lanes * lines, T(0));
+  const auto at = [&](std::size_t i, std::size_t c) -> T& {
+    return x[(c / lanes * (n + 1) + supernodes.position()[i]) * lanes + c % lanes];
+  };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t c = 0; c < lanes * lines; ++c)
+      at(i, c) = T(b(Eigen::Index(i), Eigen::Index(c) % b.cols()));
+  Ai::Solve_kernel<T> kernel{&supernodes, factor.values(), x.data(), lines};
+  Ai::run_reproducibly<T>(instructions, kernel);
+  Eigen::MatrixXd result(b.rows(), b.cols());
+  for (Eigen::Index i = 0; i < b.rows(); ++i)
+    for (Eigen::Index c = 0; c < b.cols(); ++c) result(i, c) = double(at(std::size_t(i), std::size_t(c)));
+  return result;
+}
+
+void test_graph(const std::string& name, const Graph& graph, Random& random)
+{
+  const Amf::Compressed_rows rows = rows_of(graph);
+  const Ai::Supernodes supernodes(rows);
+  const std::size_t n = graph.size();
+  // every column once, in panels of bounded width; rows below them, ascending
+  CHECK(supernodes.number_of_columns() == n);
+  std::size_t next = 0, widest = 0;
+  bool is_sound = true;
+  for (const auto& p : supernodes.panels()) {
+    is_sound = is_sound && p.first == next && p.width > 0 && p.width <= Ai::Supernodes::widest;
+    next += p.width;
+    widest = (std::max)(widest, std::size_t(p.width));
+    const auto* below = supernodes.rows(p);
+    for (std::size_t i = 0; i < p.height; ++i)
+      is_sound = is_sound && below[i] >= (i > 0 ? below[i - 1] + 1 : next) && below[i] < n;
+  }
+  CHECK(is_sound && next == n);
+
+  const Eigen::MatrixXd a = matrix_of(graph, random);
+  Eigen::MatrixXd b(Eigen::Index(n), 5);
+  for (Eigen::Index i = 0; i < b.size(); ++i) b(i) = random(-1, 1);
+  const Eigen::MatrixXd exact = a.llt().solve(b);
+  const double scale = exact.cwiseAbs().maxCoeff() * a.norm() * a.inverse().norm();
+  const auto diagonal = [&](std::size_t v) { return a(Eigen::Index(v), Eigen::Index(v)); };
+  const auto entry = [&](std::size_t v, std::size_t k) { return a(Eigen::Index(v), Eigen::Index(rows[v].begin()[k])); };
+  Eigen::MatrixXd first, first_single;
+  double error = 0, single_error = 0;
+  for (Ai::Instruction_set instructions : instruction_sets()) {
+    const Ai::Supernodal_factor<double> factor(supernodes, rows, diagonal, entry, instructions);
+    const Ai::Supernodal_factor<float> single(supernodes, rows, diagonal, entry, instructions);
+    for (std::size_t lines : {1, 2, 3}) {
+      const Eigen::MatrixXd x = solved(supernodes, factor, b, lines, instructions);
+      const Eigen::MatrixXd y = solved(supernodes, single, b, lines, instructions);
+      if (first.size() == 0) {
+        first = x;
+        first_single = y;
+        error = (x - exact).cwiseAbs().maxCoeff() / scale;
+        single_error = (y - exact).cwiseAbs().maxCoeff() / scale;
+      }
+      CHECK(x == first && y == first_single); // the same bits
+    }
+  }
+  CHECK(error < 1e-16);
+  CHECK(single_error < 1e-7);
+  CHECK(single_error > 0 || n < 3);
+  std::cout << name << ": " << n << " columns, " << supernodes.panels().size() << " panels up to " << widest
+            << " wide; error / condition " << error << ", in float " << single_error << std::endl;
+}
+
+void test_graphs()
+{
+  Random random(81);
+  test_graph("a vertex", Graph(1), random);
+  test_graph("vertices without edges", Graph(7), random);
+  for (std::size_t n : {2, 3, 5, 8, 13, 67, 200}) { // panels are cut where they are wider than 64
+    Graph complete(n);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < i; ++j) join(complete, i, j);
+    test_graph("complete graph", complete, random);
+  }
+  Graph path(50), star(30);
+  for (std::size_t i = 1; i < 50; ++i) join(path, i, i - 1);
+  for (std::size_t i = 1; i < 30; ++i) join(star, 0, i);
+  test_graph("path", path, random);
+  test_graph("star", star, random);
+  for (int repeat = 0; repeat < 12; ++repeat) { // some with many components, some that fill up
+    Graph sparse(std::size_t(40 + 20 * repeat));
+    const std::size_t edges = std::size_t(double(sparse.size()) * random.power(0.3, 4));
+    for (std::size_t i = 0; i < edges; ++i) join(sparse, random.below(sparse.size()), random.below(sparse.size()));
+    test_graph("random graph", sparse, random);
+  }
+  Shape s = irregular_square(17, random);
+  s.add(sphere(2), Vec(3, 0, 0));
+  s.points.emplace_back(0, 0, 9);
+  Graph mesh(s.points.size());
+  for (const auto& f : s.faces)
+    for (int i = 0; i < 3; ++i) join(mesh, std::size_t(f[std::size_t(i)]), std::size_t(f[std::size_t((i + 1) % 3)]));
+  test_graph("mesh", mesh, random);
+}
+
+void test_indefinite()
+{
+  Graph graph(3);
+  join(graph, 0, 1);
+  join(graph, 1, 2);
+  const Amf::Compressed_rows rows = rows_of(graph);
+  const Ai::Supernodes supernodes(rows);
+  const auto factor = [&](double d) {
+    return Ai::Supernodal_factor<double>(
+        supernodes, rows, [&](std::size_t) { return d; }, [](std::size_t, std::size_t) { return 1.; },
+        Ai::Instruction_set::BASELINE);
+  };
+  factor(1.5); // the smallest eigenvalue is d - sqrt(2)
+  CHECK_THROWS(Amf::Numerical_error, factor(1.4), "positive definite");
+  CHECK_THROWS(Amf::Numerical_error, factor(std::nan("")), "positive definite");
+}
+
+// A step of heat diffusion: the same bits with any instructions, and for a frame among any others.
+template <class T>
+void test_heat_step()
+{
+  Random random(82);
+  Shape s = irregular_square(13, random, 0.35);
+  s.add(tube(7, 5, 2), Vec(3, 0, 0));
+  s.points.emplace_back(0, 0, 9);
+  const Amf::Rest_shape shape = rest_shape_of(s);
+  const Ai::Heat_system system(shape);
+  const std::size_t n = system.size();
+  Amf::Spatio_temporal_field<double> all(n, 130);
+  for (std::size_t v = 0; v < n; ++v)
+    for (std::size_t f = 0; f < 130; ++f) all(v, f) = random(-1, 2);
+  const double t = 0.01;
+  Amf::Spatio_temporal_field<double> expected;
+  for (Ai::Instruction_set instructions : instruction_sets()) {
+    const auto factor = system.factor<T>(t, instructions);
+    for (std::size_t frames : {130, 1, 3, 8, 9, 16, 17, 24, 31, 48, 100}) {
+      Amf::Spatio_temporal_field<double> in(n, frames), out(n, frames);
+      for (std::size_t v = 0; v < n; ++v) std::copy_n(all.row(v), frames, in.row(v));
+      Ai::Heat_source source{system, t, in, out, 0, n};
+      Ai::run_reproducibly<double>(instructions, source);
+      Ai::Heat_step<T> step{system, factor, in, out};
+      for (std::size_t first = 0; first < step.number_of_lines(); first += step.lines) {
+        step.first = first;
+        step.lines = (std::min)(frames % 3 + 1, step.number_of_lines() - first);
+        Ai::Aligned_vector<T> workspace(step.workspace_size(step.lines), T(random(-1e6, 1e6)));
+        step.workspace = workspace.data();
+        Ai::run_reproducibly<T>(instructions, step);
+      }
+      if (expected.number_of_rows() == 0) expected = out;
+      bool same = true;
+      for (std::size_t v = 0; v < n; ++v)
+        for (std::size_t f = 0; f < frames; ++f) same = same && out(v, f) == expected(v, f);
+      CHECK(same);
+    }
+  }
+}
+
+int main()
+{
+  test_graphs();
+  test_indefinite();
+  test_heat_step<double>();
+  test_heat_step<float>();
+  return test_result();
+}
