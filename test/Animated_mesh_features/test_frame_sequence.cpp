@@ -14,11 +14,18 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/detect_spatio_temporal_features.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <random>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace test_support;
@@ -262,6 +269,129 @@ void test_unusual(const Bumpy_sphere& sphere)
   CHECK(on_sheet > 0);
 }
 
+// The rows of the rest shape against what their documentation says, found directly. The vertices of the mesh are numbered
+// at random, so that nothing is in order by chance.
+void test_rest_connectivity(const Bumpy_sphere& sphere)
+{
+  typedef AMF::Rest_shape::Index Index;
+  Unusual_animation animation(sphere);
+  std::vector<unsigned> rank(animation.mesh.number_of_vertices());
+  std::iota(rank.begin(), rank.end(), 0u);
+  std::mt19937 random(3);
+  std::shuffle(rank.begin(), rank.end(), random);
+  Mesh mesh;
+  for (std::size_t v = 0; v < rank.size(); ++v) mesh.add_vertex(Point_3(0, 0, double(v)));
+  std::vector<std::array<Mesh::Vertex_index, 3>> triangles;
+  for (auto f : faces(animation.mesh)) {
+    const auto h = animation.mesh.halfedge(f);
+    triangles.push_back({{Mesh::Vertex_index(rank[animation.mesh.source(h)]),
+                          Mesh::Vertex_index(rank[animation.mesh.target(h)]),
+                          Mesh::Vertex_index(rank[animation.mesh.target(animation.mesh.next(h))])}});
+  }
+  std::shuffle(triangles.begin(), triangles.end(), random);
+  for (const auto& t : triangles) mesh.add_face(t[0], t[1], t[2]);
+  const AMF::Rest_shape shape(mesh, get(boost::vertex_index, mesh), mesh.number_of_vertices());
+
+  bool good = shape.triangles().size() == triangles.size() && triangles.size() == mesh.number_of_faces();
+  std::vector<std::array<Index, 3>> ordered;
+  for (std::size_t t = 0; t < triangles.size() && good; ++t) {
+    const auto& a = shape.triangles()[t];
+    good = a[0] < a[1] && a[0] < a[2];
+    bool is_same = false;
+    for (int i = 0; i < 3; ++i)
+      is_same = is_same || (a[i] == triangles[t][0] && a[(i + 1) % 3] == triangles[t][1] &&
+                            a[(i + 2) % 3] == triangles[t][2]);
+    good = good && is_same;
+    ordered.push_back(shape.triangles()[shape.ordered_triangles()[t]]);
+  }
+  CHECK(good);
+  CHECK(std::is_sorted(ordered.begin(), ordered.end()));
+  const std::set<std::array<Index, 3>> different(ordered.begin(), ordered.end());
+  CHECK(different.size() == triangles.size());
+
+  std::map<std::pair<Index, Index>, Index> thirds; // of the triangle that runs from the first vertex to the second
+  for (const auto& t : shape.triangles())
+    for (int i = 0; i < 3; ++i) thirds[{t[i], t[(i + 1) % 3]}] = t[(i + 2) % 3];
+  const auto third = [&](Index a, Index b) {
+    const auto found = thirds.find({a, b});
+    return found == thirds.end() ? AMF::Rest_shape::none : found->second;
+  };
+  std::set<std::pair<Index, Index>> edges;
+  for (const auto& e : thirds) edges.insert(std::minmax(e.first.first, e.first.second));
+  CHECK(edges.size() == shape.edges().size());
+  auto edge = edges.begin();
+  good = true;
+  for (const AMF::Rest_shape::Edge& e : shape.edges()) {
+    good = good && std::make_pair(e.source, e.target) == *edge && e.left == third(e.source, e.target) &&
+           e.right == third(e.target, e.source);
+    ++edge;
+  }
+  CHECK(good);
+
+  good = true;
+  for (Index v = 0; v < shape.number_of_vertices(); ++v) {
+    std::vector<Index> neighbours, at, around;
+    for (const auto& e : edges)
+      if (e.first == v || e.second == v) neighbours.push_back(e.first == v ? e.second : e.first);
+    std::sort(neighbours.begin(), neighbours.end());
+    for (Index n : neighbours)
+      at.push_back(Index(std::distance(edges.begin(), edges.find(std::minmax(v, n)))));
+    for (Index t : shape.ordered_triangles())
+      if (std::count(shape.triangles()[t].begin(), shape.triangles()[t].end(), v) != 0) around.push_back(t);
+    const auto same = [](const AMF::Compressed_rows::Row& row, const std::vector<Index>& expected) {
+      return std::equal(row.begin(), row.end(), expected.begin(), expected.end());
+    };
+    bool is_border = false;
+    for (Index e : at) is_border = is_border || shape.edges()[e].is_border();
+    good = good && same(shape.neighbours()[v], neighbours) && same(shape.incident_edges()[v], at) &&
+           same(shape.incident_triangles()[v], around) && shape.is_border(v) == is_border;
+  }
+  CHECK(good);
+}
+
+// Numbers of frames around those that are gathered before they become rows, and more vertices than a piece of them.
+template <class FT>
+void test_rows()
+{
+  Mesh mesh;
+  const std::size_t n = 1001;
+  for (std::size_t v = 0; v < n; ++v) mesh.add_vertex(Point_3(double(v), double(v % 2), 0));
+  for (unsigned v = 0; v + 2 < n; ++v)
+    mesh.add_face(Mesh::Vertex_index(v), Mesh::Vertex_index(v + 1 + v % 2), Mesh::Vertex_index(v + 2 - v % 2));
+  const auto value = [](std::size_t f, std::size_t v, std::size_t c) { return double(f * 4000 + v * 4 + c) / 8; };
+  for (std::size_t frames : {3u, 7u, 8u, 9u, 15u, 16u, 17u, 33u}) {
+    Frames points(frames);
+    AMF::Spatio_temporal_field<FT> fields[3];
+    for (auto& field : fields) field = AMF::Spatio_temporal_field<FT>(n, frames);
+    for (std::size_t f = 0; f < frames; ++f)
+      for (std::size_t v = 0; v < n; ++v) {
+        points[f].emplace_back(value(f, v, 0), value(f, v, 1), value(f, v, 2));
+        for (std::size_t c = 0; c < 3; ++c) fields[c](v, f) = FT(value(f, v, c));
+      }
+    const AMF::Frame_sequence<Mesh, FT> a(mesh, points, 1), b(mesh, fields[0], fields[1], fields[2], 1);
+    bool good = true;
+    for (const auto* s : {&a, &b})
+      for (std::size_t v = 0; v < n; ++v)
+        for (std::size_t f = 0; f < frames; ++f)
+          for (std::size_t c = 0; c < 3; ++c) {
+            const auto& x = c == 0 ? s->flat_animation().x : c == 1 ? s->flat_animation().y : s->flat_animation().z;
+            good = good && x(v, f) == FT(value(f, v, c));
+          }
+    CHECK(good);
+
+    // of several, the error of the first vertex is told, and of its first frame
+    const FT bad = std::numeric_limits<FT>::quiet_NaN();
+    fields[0](1000, 0) = fields[1](1000, 2) = bad;
+    typedef AMF::Frame_sequence<Mesh, FT> Sequence_of_fields;
+    const auto make = [&] { return Sequence_of_fields(mesh, fields[0], fields[1], fields[2], 1).number_of_frames(); };
+    CHECK_THROWS(AMF::Input_error, make(), "frame 0: the position of vertex 1000 is");
+    fields[2](999, frames - 1) = bad;
+    CHECK_THROWS(AMF::Input_error, make(), "frame " + std::to_string(frames - 1) + ": the position of vertex 999 is");
+    fields[1](17, 2) = fields[0](17, 1) = bad;
+    CHECK_THROWS(AMF::Input_error, make(), "frame 1: the position of vertex 17 is");
+  }
+}
+
 int main()
 {
   const Bumpy_sphere sphere;
@@ -272,5 +402,8 @@ int main()
   test_bad_frames(sphere, mesh);
   test_rest_shape(sphere, mesh);
   test_unusual(sphere);
+  test_rest_connectivity(sphere);
+  test_rows<float>();
+  test_rows<double>();
   return test_result();
 }

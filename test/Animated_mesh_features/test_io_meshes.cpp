@@ -12,11 +12,15 @@
 #include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>
 #include <CGAL/Animated_mesh_features/IO/write_obj.h>
 
+#include <CGAL/boost/graph/Euler_operations.h>
+
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <random>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 using namespace CGAL::Animated_mesh_features;
@@ -330,6 +334,98 @@ void test_surface_mesh()
         "vertex 0 joins parts");
 }
 
+// The same mesh as if its triangles were added one by one, down to the halfedges.
+bool is_as_added(const Indexed_mesh& mesh)
+{
+  const auto surface = IO::to_surface_mesh(mesh, "mesh");
+  typedef std::decay_t<decltype(surface)> Surface;
+  Surface expected;
+  for (const auto& p : mesh.points) expected.add_vertex(Surface::Point(p[0], p[1], p[2]));
+  for (const Triangle& t : mesh.triangles) {
+    std::vector<Surface::Vertex_index> corners;
+    for (std::size_t v : t) corners.emplace_back(unsigned(v));
+    if (CGAL::Euler::add_face(corners, expected) == Surface::null_face()) return false;
+  }
+  if (num_vertices(surface) != num_vertices(expected) || num_faces(surface) != num_faces(expected) ||
+      num_halfedges(surface) != num_halfedges(expected))
+    return false;
+  bool good = surface.is_valid(false);
+  for (auto h : halfedges(expected))
+    good = good && surface.target(h) == expected.target(h) && surface.face(h) == expected.face(h) &&
+           surface.next(h) == expected.next(h) && surface.prev(h) == expected.prev(h);
+  for (auto v : vertices(expected))
+    good = good && surface.halfedge(v) == expected.halfedge(v) && surface.point(v) == expected.point(v);
+  for (auto f : faces(expected)) good = good && surface.halfedge(f) == expected.halfedge(f);
+  return good;
+}
+
+void test_surface_mesh_as_added()
+{
+  std::mt19937 random(11);
+  const auto number = [&](std::size_t n) { return std::size_t(random() % n); };
+  bool good = true;
+
+  // Two triangles back to back, and a tetrahedron beside an isolated vertex.
+  Indexed_mesh small;
+  small.points = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{0, 0, 1}}, {{7, 7, 7}}};
+  small.triangles = {{{0, 1, 2}}, {{0, 2, 1}}};
+  good = good && is_as_added(small);
+  small.triangles = {{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}};
+  good = good && is_as_added(small);
+  CHECK(good);
+
+  // Tori with holes, in any order; the parts come together only after a while.
+  for (int i = 0; i < 100; ++i) {
+    const std::size_t m = 3 + number(6), n = 3 + number(6);
+    Indexed_mesh torus;
+    std::vector<std::size_t> name(m * n + 1); // one vertex is isolated
+    std::iota(name.begin(), name.end(), std::size_t(0));
+    std::shuffle(name.begin(), name.end(), random);
+    for (std::size_t v = 0; v < name.size(); ++v) torus.points.push_back({{double(v), 0, 0}});
+    for (std::size_t y = 0; y < n; ++y)
+      for (std::size_t x = 0; x < m; ++x) {
+        const std::size_t a = name[y * m + x], b = name[y * m + (x + 1) % m], c = name[(y + 1) % n * m + (x + 1) % m],
+                          d = name[(y + 1) % n * m + x];
+        torus.triangles.push_back({{a, b, c}});
+        torus.triangles.push_back({{c, d, a}});
+      }
+    for (Triangle& t : torus.triangles) std::rotate(t.begin(), t.begin() + std::ptrdiff_t(number(3)), t.end());
+    std::shuffle(torus.triangles.begin(), torus.triangles.end(), random);
+    good = good && is_as_added(torus);
+    if (i % 2 == 0) { // holes where they leave a manifold
+      torus.triangles.resize(torus.triangles.size() - number(m));
+      try {
+        IO::internal::check_manifold(torus, "torus");
+      } catch (const Input_error&) {
+        continue;
+      }
+      good = good && is_as_added(torus);
+    }
+  }
+  CHECK(good);
+
+  // Any triangles: what is no surface is found by the quick way if and only if the thorough one says why.
+  std::size_t surfaces = 0, others = 0, different = 0;
+  for (int i = 0; i < 20000; ++i) {
+    Indexed_mesh any;
+    any.points.assign(4 + number(4), {{0, 0, 0}});
+    any.triangles.resize(1 + number(8));
+    for (Triangle& t : any.triangles)
+      for (std::size_t& v : t) v = number(any.points.size());
+    bool is_surface = true;
+    try {
+      IO::internal::check_manifold(any, "any");
+    } catch (const Input_error&) {
+      is_surface = false;
+    }
+    different += IO::internal::Corner_adjacency(any).is_manifold() != is_surface;
+    if (is_surface) different += !is_as_added(any);
+    (is_surface ? surfaces : others) += 1;
+  }
+  CHECK(different == 0);
+  CHECK(surfaces > 1000 && others > 1000);
+}
+
 } // namespace
 
 int main()
@@ -342,5 +438,6 @@ int main()
   test_stl();
   test_write_obj();
   test_surface_mesh();
+  test_surface_mesh_as_added();
   return test_result();
 }

@@ -10,7 +10,8 @@
 
 #include <CGAL/Animated_mesh_features/IO/internal/bytes.h>
 #include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
-#include <CGAL/Animated_mesh_features/IO/internal/transpose_frames.h>
+#include <CGAL/Animated_mesh_features/internal/all_finite.h>
+#include <CGAL/Animated_mesh_features/internal/transpose_frames.h>
 
 #include <algorithm>
 #include <array>
@@ -224,16 +225,16 @@ void test_all_finite()
     for (FT& value : x) do {
         value = same_bits<FT>(Bits(generator()));
       } while (!std::isfinite(value));
-    good = good && IO::internal::all_finite(x.data(), n);
+    good = good && CGAL::Animated_mesh_features::internal::all_finite(x.data(), n);
     for (std::size_t i = 0; i < n; ++i)
       for (FT bad : {std::numeric_limits<FT>::infinity(), -std::numeric_limits<FT>::infinity(),
                      std::numeric_limits<FT>::quiet_NaN(), -std::numeric_limits<FT>::quiet_NaN()}) {
         std::vector<FT> y = x;
         y[i] = bad;
-        good = good && !IO::internal::all_finite(y.data(), n) && !IO::internal::is_finite(bad);
+        good = good && !CGAL::Animated_mesh_features::internal::all_finite(y.data(), n) && !IO::internal::is_finite(bad);
       }
     std::fill(x.begin(), x.end(), (std::numeric_limits<FT>::max)());
-    good = good && IO::internal::all_finite(x.data(), n);
+    good = good && CGAL::Animated_mesh_features::internal::all_finite(x.data(), n);
   }
   CHECK(good);
 }
@@ -282,7 +283,7 @@ void test_transposition()
       Spatio_temporal_field<FT> fields[3];
       for (auto& field : fields)
         field = Spatio_temporal_field<FT>(first_vertex + vertices + behind, first_frame + frames + behind);
-      IO::internal::transpose_frames<FT>(IO::internal::Frame_piece{first_vertex, vertices, first_frame, frames},
+      CGAL::Animated_mesh_features::internal::transpose_frames<FT>(CGAL::Animated_mesh_features::internal::Frame_piece{first_vertex, vertices, first_frame, frames},
                                          [&](std::size_t f) { return static_cast<const Number*>(xyz[f].data()); },
                                          {{&fields[0], &fields[1], &fields[2]}});
       for (std::size_t c = 0; c < 3; ++c)

@@ -54,9 +54,9 @@ double frame_duration(const std::vector<double>& times, const std::string& file)
 
 } // namespace
 
-Animation::Animation(const Command_line& command_line)
+Animation::Animation(const Command_line& command_line, const AMF::IO::Size_observer& observe_size)
 {
-  File_data data = AMF::IO::read_animation<FT>(command_line.inputs, reading_options(command_line));
+  File_data data = AMF::IO::read_animation<FT>(command_line.inputs, reading_options(command_line), observe_size);
   if (data.frames < 3)
     throw AMF::Input_error(data.sources.back() + ": the animation has " + std::to_string(data.frames) +
                            " frames; at least 3 are needed, since a feature has a frame before and one behind it");
@@ -82,7 +82,7 @@ void Animation::set_rest(const Command_line& command_line, const File_data& data
     if (*command_line.rest_frame >= data.frames)
       throw AMF::Option_error("--rest " + command_line.rest + ": there is no such frame; frames are 0 to " +
                               std::to_string(data.frames - 1));
-    m_sequence->set_rest_frame(*command_line.rest_frame);
+    if (*command_line.rest_frame != 0) m_sequence->set_rest_frame(*command_line.rest_frame); // it is the first already
   } else if (command_line.rest_file.empty()) {
     m_sequence->set_rest_average();
   } else {

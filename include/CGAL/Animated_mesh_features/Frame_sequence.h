@@ -13,11 +13,15 @@
 #include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/exceptions.h>
 #include <CGAL/Animated_mesh_features/internal/Flat_animation.h>
+#include <CGAL/Animated_mesh_features/internal/Frame_batch.h>
+#include <CGAL/Animated_mesh_features/internal/all_finite.h>
 #include <CGAL/Animated_mesh_features/internal/rest_unit.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -126,10 +130,12 @@ public:
     internal::check_clock(number_of_frames, frame_duration);
     m_animation.resize(m_vertices.size(), number_of_frames);
     m_animation.frame_duration = frame_duration;
+    internal::Frame_batch<FT, CGAL::Parallel_if_available_tag> batch({{&m_animation.x, &m_animation.y, &m_animation.z}},
+                                                                     64 / sizeof(FT)); // a cache line of a row
     std::size_t f = 0;
     for (const auto& frame : frames) {
-      insert_frame(m_animation, f, frame, "frame " + std::to_string(f));
-      ++f;
+      copy_points(frame, "frame " + std::to_string(f), batch.frame(f));
+      if (++f == batch.end()) batch.finish();
     }
     set_rest_frame(0);
   }
@@ -156,11 +162,10 @@ public:
     m_animation.y.swap(y);
     m_animation.z.swap(z);
     m_animation.frame_duration = frame_duration;
-    for (std::size_t v = 0; v < m_vertices.size(); ++v)
-      for (std::size_t f = 0; f < number_of_frames(); ++f)
-        if (!m_animation.point(v, f).allFinite())
-          throw Input_error("frame " + std::to_string(f) + ": the position of vertex " + std::to_string(v) +
-                            " is not finite");
+    std::size_t v, f;
+    if (internal::find_not_finite(m_animation, v, f))
+      throw Input_error("frame " + std::to_string(f) + ": the position of vertex " + std::to_string(v) +
+                        " is not finite");
     set_rest_frame(0);
   }
 
@@ -188,10 +193,11 @@ public:
   template <class Points>
   double set_rest_shape(const Points& points, Rest_unit unit = Rest_unit::CHECK)
   {
-    internal::Flat_animation<double> one;
-    one.resize(m_vertices.size(), 1);
-    insert_frame(one, 0, points, "the rest shape");
-    std::vector<Rest_shape::Point> rest = one.frame(0);
+    std::vector<double> xyz(3 * m_vertices.size());
+    copy_points(points, "the rest shape", xyz.data());
+    std::vector<Rest_shape::Point> rest(m_vertices.size());
+    for (std::size_t v = 0; v < rest.size(); ++v)
+      rest[v] = Rest_shape::Point(xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]);
     double factor = 1;
     if (unit != Rest_unit::KEEP) {
       const double ratio = internal::median_edge_ratio(m_animation, rest);
@@ -263,15 +269,16 @@ private:
   {
   };
 
-  // `name` is for messages
-  template <class Scalar, class Points>
-  void insert_frame(internal::Flat_animation<Scalar>& animation,
-                    std::size_t f,
-                    const Points& points,
-                    const std::string& name) const
+  // Writes the coordinates vertex by vertex. `name` is for messages.
+  template <class Points, class Scalar>
+  void copy_points(const Points& points, const std::string& name, Scalar* xyz) const
   {
     const auto insert = [&](std::size_t v, const auto& point) {
-      if (!animation.set_point(v, f, point))
+      Scalar* const p = xyz + 3 * v;
+      p[0] = Scalar(CGAL::to_double(point.x()));
+      p[1] = Scalar(CGAL::to_double(point.y()));
+      p[2] = Scalar(CGAL::to_double(point.z()));
+      if (!internal::all_finite(p, 3))
         throw Input_error(name + ": the position of vertex " + std::to_string(v) + " is not finite");
     };
     if constexpr (Is_point_map<Points>::value) {

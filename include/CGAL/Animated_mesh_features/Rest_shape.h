@@ -146,6 +146,7 @@ private:
   template <class TriangleMesh, class VertexIndexMap>
   void read_triangles(const TriangleMesh& mesh, VertexIndexMap index)
   {
+    m_triangles.reserve(2 * number_of_vertices()); // as many as a closed surface has, but for a few
     for (auto f : faces(mesh)) {
       const auto h = halfedge(f, mesh);
       const std::size_t sides = internal::number_of_sides(h, mesh);
@@ -163,6 +164,7 @@ private:
   template <class TriangleMesh, class VertexIndexMap>
   void read_edges(const TriangleMesh& mesh, VertexIndexMap index)
   {
+    m_edges.reserve(number_of_vertices() + m_triangles.size()); // Euler
     for (auto e : internal::edges_of(mesh)) {
       auto h = halfedge(e, mesh);
       auto o = opposite(h, mesh);
@@ -173,42 +175,80 @@ private:
       };
       m_edges.push_back({Index(get(index, source(h, mesh))), Index(get(index, target(h, mesh))), third(h), third(o)});
     }
-    std::sort(m_edges.begin(), m_edges.end(), [](const Edge& a, const Edge& b) {
-      return std::tie(a.source, a.target, a.left, a.right) < std::tie(b.source, b.target, b.left, b.right);
-    });
+    m_edges = sorted_in_rows(
+        m_edges, [](const Edge& e) { return e.source; },
+        [](const Edge& a, const Edge& b) {
+          return std::tie(a.target, a.left, a.right) < std::tie(b.target, b.left, b.right);
+        });
   }
 
+  // Sorts by `row` first, which is the index of a vertex, then by `less`. Rows are short: this takes linear time, where
+  // sorting the whole would not.
+  template <class Element, class Row, class Less>
+  std::vector<Element> sorted_in_rows(const std::vector<Element>& elements, const Row& row, const Less& less) const
+  {
+    std::vector<std::size_t> ends(number_of_vertices() + 1, 0);
+    for (const Element& e : elements) ++ends[row(e) + 1];
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<Element> sorted(elements.size());
+    for (const Element& e : elements) sorted[ends[row(e)]++] = e; // starts become ends on the way
+    std::size_t begin = 0;
+    for (std::size_t v = 0; v < number_of_vertices(); ++v) {
+      std::sort(sorted.begin() + std::ptrdiff_t(begin), sorted.begin() + std::ptrdiff_t(ends[v]), less);
+      begin = ends[v];
+    }
+    return sorted;
+  }
+
+  // Rows are filled in the order in which they are to be: edges are sorted, so that those to smaller neighbours of a
+  // vertex, in the order of these, come before those to larger ones; triangles are taken in their order.
   void connect()
   {
     const std::size_t n = number_of_vertices();
     m_is_border.assign(n, 0);
-    std::vector<std::vector<std::pair<Index, Index>>> edges_at(n); // (neighbour, edge)
-    for (std::size_t i = 0; i < m_edges.size(); ++i) {
-      const Edge& e = m_edges[i];
-      edges_at[e.source].emplace_back(e.target, Index(i));
-      edges_at[e.target].emplace_back(e.source, Index(i));
+    for (const Edge& e : m_edges)
       if (e.is_border()) m_is_border[e.source] = m_is_border[e.target] = 1;
-    }
+    const auto ends_of_edge = [this](Index e) { return std::array<Index, 2>{{m_edges[e].source, m_edges[e].target}}; };
+    m_incident_edges = rows_of_vertices(m_edges.size(), [](std::size_t i) { return Index(i); }, ends_of_edge);
     std::vector<Index> row;
     for (std::size_t v = 0; v < n; ++v) {
-      std::sort(edges_at[v].begin(), edges_at[v].end());
       row.clear();
-      for (const auto& ne : edges_at[v])
-        if (row.empty() || row.back() != ne.first) row.push_back(ne.first);
+      for (Index e : m_incident_edges[v]) {
+        const Index other = m_edges[e].source == v ? m_edges[e].target : m_edges[e].source;
+        if (row.empty() || row.back() != other) row.push_back(other);
+      }
       m_neighbours.push_back(row.begin(), row.end());
-      row.clear();
-      for (const auto& ne : edges_at[v]) row.push_back(ne.second);
-      m_incident_edges.push_back(row.begin(), row.end());
     }
-    const auto by_vertices = [this](Index a, Index b) { return m_triangles[a] < m_triangles[b]; };
+
     m_ordered_triangles.resize(m_triangles.size());
     std::iota(m_ordered_triangles.begin(), m_ordered_triangles.end(), Index(0));
-    std::sort(m_ordered_triangles.begin(), m_ordered_triangles.end(), by_vertices);
-    std::vector<std::vector<Index>> triangles_at(n);
-    for (std::size_t t = 0; t < m_triangles.size(); ++t)
-      for (Index v : m_triangles[t]) triangles_at[v].push_back(Index(t));
-    for (std::vector<Index>& r : triangles_at) std::sort(r.begin(), r.end(), by_vertices);
-    m_incident_triangles = Compressed_rows(std::move(triangles_at));
+    m_ordered_triangles = sorted_in_rows(
+        m_ordered_triangles, [this](Index t) { return m_triangles[t][0]; },
+        [this](Index a, Index b) { return std::tie(m_triangles[a], a) < std::tie(m_triangles[b], b); });
+    m_incident_triangles = rows_of_vertices(
+        m_triangles.size(), [this](std::size_t i) { return m_ordered_triangles[i]; },
+        [this](Index t) { return m_triangles[t]; });
+  }
+
+  // A row for each vertex: those of the simplices `simplex(0)`, `simplex(1)`, ... of which it is a corner, in this order.
+  template <class Simplex, class Corners>
+  Compressed_rows rows_of_vertices(std::size_t simplices, const Simplex& simplex, const Corners& corners) const
+  {
+    std::vector<std::size_t> ends(number_of_vertices() + 1, 0);
+    for (std::size_t i = 0; i < simplices; ++i)
+      for (Index v : corners(simplex(i))) ++ends[v + 1];
+    std::partial_sum(ends.begin(), ends.end(), ends.begin());
+    std::vector<Index> entries(ends.back());
+    for (std::size_t i = 0; i < simplices; ++i)
+      for (Index v : corners(simplex(i))) entries[ends[v]++] = simplex(i); // starts become ends on the way
+    Compressed_rows rows;
+    const Index* begin = entries.data();
+    for (std::size_t v = 0; v < number_of_vertices(); ++v) {
+      const Index* const end = entries.data() + ends[v];
+      rows.push_back(begin, end);
+      begin = end;
+    }
+    return rows;
   }
 
   void measure()

@@ -8,27 +8,23 @@
 #define CGAL_ANIMATED_MESH_FEATURES_IO_POINT_CACHE_READER_H
 
 #include <CGAL/Animated_mesh_features/exceptions.h>
-#include <CGAL/Animated_mesh_features/internal/Thread_local.h>
-#include <CGAL/Animated_mesh_features/internal/parallel_for.h>
 #include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Field_filler.h>
 #include <CGAL/Animated_mesh_features/IO/internal/bytes.h>
 #include <CGAL/Animated_mesh_features/IO/internal/file_content.h>
 #include <CGAL/Animated_mesh_features/IO/internal/file_endings.h>
 #include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
-#include <CGAL/Animated_mesh_features/IO/internal/transpose_frames.h>
+#include <CGAL/Animated_mesh_features/IO/internal/read_frame_pieces.h>
 
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <limits>
-#include <memory>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -129,7 +125,8 @@ public:
   {
     const std::array<Spatio_temporal_field<FT>*, 3> fields = {{&x, &y, &z}};
     internal::resize_fields<ConcurrencyTag>(m_points, m_frames, fields);
-    if (read_pieces<ConcurrencyTag>(fields)) return;
+    const internal::Frames_in_file frames = {m_file.get(), m_header_size, m_points, m_frames, m_order};
+    if (internal::read_frame_pieces<ConcurrencyTag>(frames, fields)) return;
     internal::Field_filler<FT, ConcurrencyTag> filler(fields);
     read_frames([&](std::size_t f, const float* xyz) {
       filler.put(f, xyz, m_path);
@@ -138,45 +135,6 @@ public:
   }
 
 private:
-  // Reads frames by pieces, so that a piece is still in the cache when it is transposed. `false` if anything is wrong,
-  // at whatever piece: who reads the file from its start finds the first error.
-  template <class ConcurrencyTag, class FT>
-  bool read_pieces(const std::array<Spatio_temporal_field<FT>*, 3>& fields) const
-  {
-    // Runs of 12 kB, long enough for a call of the system, and 0.4 MB in all, half of a usual second-level cache.
-    constexpr std::size_t vertices_at_once = 4 * internal::vertices_of_piece, frames_at_once = 32;
-    typedef std::vector<float> Buffer;
-    Animated_mesh_features::internal::Thread_local<Buffer> buffers;
-    const std::size_t runs = (m_points + vertices_at_once - 1) / vertices_at_once;
-    std::atomic<bool> good(true);
-    for (std::size_t first = 0; first < m_frames && good; first += frames_at_once) {
-      const std::size_t frames = (std::min)(frames_at_once, m_frames - first);
-      Animated_mesh_features::internal::parallel_for<ConcurrencyTag>(0, runs, [&](std::size_t i) {
-        Buffer& xyz = buffers.get([] { return std::make_unique<Buffer>(3 * vertices_at_once * frames_at_once); });
-        const std::size_t v = i * vertices_at_once, n = (std::min)(vertices_at_once, m_points - v);
-        for (std::size_t f = 0; f < frames && good; ++f) {
-          float* const run = xyz.data() + 3 * f * n;
-          const std::uint64_t offset =
-              m_header_size + (first + f) * std::uint64_t(frame_size()) + 3 * sizeof(float) * v;
-          if (!internal::read_bytes_at(m_file.get(), reinterpret_cast<char*>(run), 3 * sizeof(float) * n, offset))
-            good = false;
-        }
-        internal::convert_from(m_order, xyz.data(), 3 * frames * n);
-        if (!good || !internal::all_finite(xyz.data(), 3 * frames * n)) {
-          good = false;
-          return;
-        }
-        for (std::size_t u = 0; u < n; u += internal::vertices_of_piece) {
-          const std::size_t vertices = (std::min)(internal::vertices_of_piece, n - u);
-          const auto frame = [&](std::size_t f) { return static_cast<const float*>(xyz.data()) + 3 * (f * n + u); };
-          internal::transpose_frames(internal::Frame_piece{v + u, vertices, first, frames}, frame, fields);
-        }
-      });
-    }
-    char one;
-    return good && !internal::read_bytes_at(m_file.get(), &one, 1, expected_size());
-  }
-
   std::size_t frame_size() const { return 3 * sizeof(float) * m_points; }
 
   void read_header(char* bytes, std::size_t size)

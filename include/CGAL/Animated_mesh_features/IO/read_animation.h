@@ -27,6 +27,7 @@
 #include <cstddef>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -68,11 +69,19 @@ struct Animation_file_data
   }
 };
 
+/*!
+\ingroup PkgAnimatedMeshFeaturesIO
+
+Is told the numbers of vertices and frames of an animation once they are known, before memory for them is taken. It may
+choose that memory (`Field_memory_scope`), or throw.
+*/
+typedef std::function<void(std::size_t, std::size_t)> Size_observer;
+
 namespace internal {
 
 template <class ConcurrencyTag, class FT>
 void read_point_cache(const std::string& mesh_file, const std::string& cache_file, const Mesh_reading_options& options,
-                      Animation_file_data<FT>& data)
+                      const Size_observer& observe_size, Animation_file_data<FT>& data)
 {
   data.sources = {mesh_file, cache_file};
   data.mesh = IO::read_mesh(mesh_file, options);
@@ -80,6 +89,7 @@ void read_point_cache(const std::string& mesh_file, const std::string& cache_fil
   cache.check_number_of_points(data.mesh.points.size(), mesh_file);
   data.frames = cache.number_of_frames();
   data.times = cache.times();
+  if (observe_size) observe_size(data.mesh.points.size(), data.frames);
   cache.read_fields<ConcurrencyTag>(data.x, data.y, data.z);
 }
 
@@ -92,7 +102,7 @@ struct Mesh_reading_memory
 
 template <class ConcurrencyTag, class FT>
 void read_frame_files(const std::vector<std::string>& files, const Mesh_reading_options& options,
-                      Animation_file_data<FT>& data)
+                      const Size_observer& observe_size, Animation_file_data<FT>& data)
 {
   data.sources = files;
   data.frames = files.size();
@@ -101,6 +111,7 @@ void read_frame_files(const std::vector<std::string>& files, const Mesh_reading_
     return memories.get([] { return std::make_unique<Mesh_reading_memory>(); });
   };
   read_mesh(files[0], options, memory().content, data.mesh);
+  if (observe_size) observe_size(data.mesh.points.size(), data.frames);
   const std::array<Spatio_temporal_field<FT>*, 3> fields = {{&data.x, &data.y, &data.z}};
   resize_fields<ConcurrencyTag>(data.mesh.points.size(), data.frames, fields);
   Field_filler<FT, ConcurrencyTag> filler(fields);
@@ -148,13 +159,15 @@ a file for each thread, a point cache some 0.4 MB a thread (see `Point_cache_rea
 \tparam ConcurrencyTag `CGAL::Parallel_if_available_tag` or `CGAL::Sequential_tag`. The result is the same, bit for bit,
   and so is the error, if there are several: that of the first frame.
 
+\param observe_size see `Size_observer`.
 \throws Input_error if a file is missing or malformed (see `read_mesh()`, `Point_cache_reader`), the frames differ in
 connectivity (the message names the first such triangle) or there are less than two of them, or the inputs are none of
 the above.
 */
 template <class FT, class ConcurrencyTag = CGAL::Parallel_if_available_tag>
 Animation_file_data<FT> read_animation(const std::vector<std::string>& inputs,
-                                       Mesh_reading_options options = Mesh_reading_options())
+                                       Mesh_reading_options options = Mesh_reading_options(),
+                                       const Size_observer& observe_size = Size_observer())
 {
   if (inputs.empty()) throw Input_error("no input: give a mesh and a point cache, a folder, or a mesh for each frame");
   std::vector<std::string> caches, meshes, folders;
@@ -176,13 +189,13 @@ Animation_file_data<FT> read_animation(const std::vector<std::string>& inputs,
     if (meshes.empty())
       throw Input_error(caches[0] + ": a point cache holds positions only; give the mesh file that belongs to it too");
     if (meshes.size() > 1) throw Input_error(meshes[1] + ": a second mesh; give one mesh and one point cache");
-    internal::read_point_cache<ConcurrencyTag>(meshes[0], caches[0], options, data);
+    internal::read_point_cache<ConcurrencyTag>(meshes[0], caches[0], options, observe_size, data);
   } else {
     if (meshes.size() == 1)
       throw Input_error(meshes[0] +
                         ": one mesh is no animation; give the point cache that belongs to it, or more frames");
     std::sort(meshes.begin(), meshes.end(), [](const auto& a, const auto& b) { return natural_order(a, b); });
-    internal::read_frame_files<ConcurrencyTag>(meshes, options, data);
+    internal::read_frame_files<ConcurrencyTag>(meshes, options, observe_size, data);
   }
   if (data.frames < 2) throw Input_error(data.sources.back() + ": one frame is no animation");
   return data;

@@ -10,10 +10,14 @@
 #include <CGAL/Animated_mesh_features/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/internal/all_finite.h>
+#include <CGAL/Animated_mesh_features/internal/parallel_for.h>
 
-#include <CGAL/number_utils.h>
+#include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -45,16 +49,6 @@ struct Flat_animation
     z = Spatio_temporal_field<FT>(n, f);
   }
 
-  // Returns false if a coordinate is not finite.
-  template <class Point_3>
-  bool set_point(std::size_t v, std::size_t f, const Point_3& p)
-  {
-    x(v, f) = FT(CGAL::to_double(p.x()));
-    y(v, f) = FT(CGAL::to_double(p.y()));
-    z(v, f) = FT(CGAL::to_double(p.z()));
-    return std::isfinite(x(v, f)) && std::isfinite(y(v, f)) && std::isfinite(z(v, f));
-  }
-
   std::vector<Rest_shape::Point> frame(std::size_t f) const
   {
     std::vector<Rest_shape::Point> points(number_of_vertices());
@@ -62,6 +56,31 @@ struct Flat_animation
     return points;
   }
 };
+
+// The first vertex, and its first frame, whose position is not finite; `false` if there is none.
+template <class FT>
+bool find_not_finite(const Flat_animation<FT>& animation, std::size_t& vertex, std::size_t& frame)
+{
+  // on several threads: it takes as long as the memory needs to pass by
+  constexpr std::size_t block_size = 1024;
+  const std::size_t n = animation.number_of_vertices(), frames = animation.number_of_frames();
+  const std::size_t blocks = (n + block_size - 1) / block_size;
+  std::vector<char> is_good(blocks, 0);
+  parallel_for<CGAL::Parallel_if_available_tag>(0, blocks, [&](std::size_t b) {
+    bool good = true;
+    // one coordinate after the other, as memory likes it
+    for (const Spatio_temporal_field<FT>* c : {&animation.x, &animation.y, &animation.z})
+      for (std::size_t v = b * block_size; v < (std::min)(n, (b + 1) * block_size); ++v)
+        good = good && all_finite(c->row(v), frames);
+    is_good[b] = good;
+  });
+  const auto bad = std::find(is_good.begin(), is_good.end(), 0);
+  if (bad == is_good.end()) return false;
+  for (vertex = std::size_t(bad - is_good.begin()) * block_size; vertex < n; ++vertex)
+    for (frame = 0; frame < frames; ++frame)
+      if (!animation.point(vertex, frame).allFinite()) return true;
+  return false;
+}
 
 inline void check_clock(std::size_t number_of_frames, double frame_duration)
 {

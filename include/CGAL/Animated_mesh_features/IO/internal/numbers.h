@@ -43,30 +43,6 @@ inline bool is_finite(double x)
   return (bits & 0x7ff0000000000000u) != 0x7ff0000000000000u;
 }
 
-// Whether all of `n` numbers are finite. Without a branch in the loop: one added to the exponent overflows into the
-// sign, which was cleared, if and only if the exponent is the largest.
-inline bool all_finite(const float* x, std::size_t n)
-{
-  std::uint32_t overflow = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    std::uint32_t bits;
-    std::memcpy(&bits, x + i, sizeof(bits));
-    overflow |= (bits & 0x7f800000u) + 0x00800000u;
-  }
-  return (overflow & 0x80000000u) == 0;
-}
-
-inline bool all_finite(const double* x, std::size_t n)
-{
-  std::uint64_t overflow = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    std::uint64_t bits;
-    std::memcpy(&bits, x + i, sizeof(bits));
-    overflow |= (bits & 0x7ff0000000000000u) + 0x0010000000000000u;
-  }
-  return (overflow & 0x8000000000000000u) == 0;
-}
-
 // Reads the digits at `p`, moves `p` behind them and appends them to the decimal number `m`, modulo 2^64.
 inline std::size_t parse_digits(const char*& p, const char* end, std::uint64_t& m)
 {

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_TRANSPOSE_FRAMES_H
-#define CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_TRANSPOSE_FRAMES_H
+#ifndef CGAL_ANIMATED_MESH_FEATURES_INTERNAL_TRANSPOSE_FRAMES_H
+#define CGAL_ANIMATED_MESH_FEATURES_INTERNAL_TRANSPOSE_FRAMES_H
 
 #include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
 
@@ -14,7 +14,6 @@
 
 namespace CGAL {
 namespace Animated_mesh_features {
-namespace IO {
 namespace internal {
 
 // Vertices in a row, and frames in a row: a piece of an animation, which is transposed at once.
@@ -59,8 +58,7 @@ void transpose_frames(const Frame_piece& piece, const Frame& xyz,
 }
 
 } // namespace internal
-} // namespace IO
 } // namespace Animated_mesh_features
 } // namespace CGAL
 
-#endif // CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_TRANSPOSE_FRAMES_H
+#endif // CGAL_ANIMATED_MESH_FEATURES_INTERNAL_TRANSPOSE_FRAMES_H
