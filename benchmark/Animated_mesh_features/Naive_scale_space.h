@@ -20,9 +20,9 @@
 namespace Benchmark {
 
 // Every smoothing count as the paper describes it, with what is at hand: a level is a dense matrix of doubles (vertices
-// x frames, frames contiguous, the better order of the two for Eigen), one-ring averaging a sparse matrix, and all space
-// levels of two time levels are in memory, with the responses of three. Products of a sparse and a dense matrix run on
-// all of Eigen's threads; the other loops have OpenMP's directives, for they need nothing else.
+// x frames, frames contiguous, the better order of the two for Eigen), one-ring averaging a sparse matrix, and all
+// space levels of two time levels are in memory, with the responses of three. Products of a sparse and a dense matrix
+// run on all of Eigen's threads; the other loops have OpenMP's directives, for they need nothing else.
 template <class Response>
 class Naive_scale_space
 {

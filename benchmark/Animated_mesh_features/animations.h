@@ -9,8 +9,8 @@
 
 #include "benchmark_support.h"
 
-// Before the generators, which bring Boost's compressed_sparse_row_graph.hpp, behind which Boost's disjoint_sets.hpp does
-// not compile.
+// Before the generators, which bring Boost's compressed_sparse_row_graph.hpp, behind which Boost's disjoint_sets.hpp
+// does not compile.
 #include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>
 
 #include "generators/articulated_figure.h"

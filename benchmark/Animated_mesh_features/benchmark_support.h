@@ -39,7 +39,7 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
-#include <variant>
+#include <utility>
 #include <vector>
 
 // What the benchmarks share: time, memory, threads, and tables on the terminal and as JSON.
@@ -229,53 +229,52 @@ struct Policy_loop
 
 // ------------------------------------------------------------------------------------------------------------- tables
 
-typedef std::variant<std::monostate, std::string, std::size_t, double> Cell;
+// Nothing, a text, a count or a measured number.
+struct Cell
+{
+  enum Kind
+  {
+    NOTHING,
+    TEXT,
+    COUNT,
+    NUMBER
+  };
+  Kind kind = NOTHING;
+  std::string text;
+  double number = 0;
 
-inline Cell cell(const Cell& c)
-{
-  return c;
-}
-inline Cell cell(std::monostate)
-{
-  return Cell();
-}
-inline Cell cell(const char* s)
-{
-  return Cell(std::string(s));
-}
-inline Cell cell(const std::string& s)
-{
-  return Cell(s);
-}
-inline Cell cell(double x)
-{
-  return Cell(x);
-}
-inline Cell cell(std::size_t n)
-{
-  return Cell(n);
-}
-inline Cell cell(int n)
-{
-  return Cell(std::size_t(n));
-}
-
-constexpr std::monostate nothing = std::monostate();
+  Cell() = default;
+  Cell(const char* t)
+    : kind(TEXT)
+    , text(t)
+  {}
+  Cell(std::string t)
+    : kind(TEXT)
+    , text(std::move(t))
+  {}
+  Cell(int n)
+    : kind(COUNT)
+    , number(n)
+  {}
+  Cell(std::size_t n)
+    : kind(COUNT)
+    , number(double(n))
+  {}
+  Cell(double x)
+    : kind(NUMBER)
+    , number(x)
+  {}
+};
 
 inline std::string shown(const Cell& c)
 {
+  if (c.kind == Cell::NOTHING || c.kind == Cell::TEXT) return c.text;
   std::ostringstream os;
-  if (const std::string* s = std::get_if<std::string>(&c))
-    os << *s;
-  else if (const std::size_t* n = std::get_if<std::size_t>(&c))
-    os << *n;
-  else if (const double* x = std::get_if<double>(&c)) {
-    const double size = std::abs(*x);
-    if (size >= 100 && size < 1e7)
-      os << std::fixed << std::setprecision(0) << *x;
-    else
-      os << std::setprecision(3) << *x;
-  }
+  const double size = std::abs(c.number);
+  if (c.kind == Cell::COUNT || (size >= 100 && size < 1e7))
+    os << std::fixed << std::setprecision(0) << c.number;
+  else
+    os << std::setprecision(3) << c.number;
   return os.str();
 }
 
@@ -294,16 +293,13 @@ inline std::string json_string(const std::string& s)
 
 inline std::string json(const Cell& c)
 {
+  if (c.kind == Cell::TEXT) return json_string(c.text);
+  if (c.kind == Cell::COUNT) return shown(c);
+  if (c.kind == Cell::NOTHING || !std::isfinite(c.number)) return "null";
   std::ostringstream os;
-  if (const std::string* s = std::get_if<std::string>(&c))
-    os << json_string(*s);
-  else if (const std::size_t* n = std::get_if<std::size_t>(&c))
-    os << *n;
-  else if (const double* x = std::get_if<double>(&c); x != nullptr && std::isfinite(*x))
-    os << std::setprecision(8) << *x;
-  else
-    os << "null";
-  return os.str();
+  os << std::setprecision(8) << c.number;
+  const std::string text = os.str();
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text; // else a reader would take it for a count
 }
 
 // A table with a title, and a note on how its figures came about.
@@ -319,7 +315,7 @@ public:
   template <class... T>
   void add(const T&... values)
   {
-    m_rows.push_back({cell(values)...});
+    m_rows.push_back({Cell(values)...});
     if (m_rows.back().size() != m_columns.size()) throw std::logic_error("row and columns of a table differ");
     std::cerr << '.' << std::flush; // a long run shows that it goes on
   }

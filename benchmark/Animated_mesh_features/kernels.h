@@ -236,8 +236,8 @@ struct Scale_space_kernel
         const V *one = least_of_three + (k + 1) % rows * frames, *other = least_of_three + (k + 2) % rows * frames;
         const V *same = least_of_two + k * frames, *centre = before + k * frames;
         for (std::size_t f = 1; f + 1 < frames; ++f) {
-          // Comparisons of vectors become branches in g++ 12, except those for the lesser of two. A minimum is below the
-          // least of its neighbours and zero, and the sign of the difference is a bit.
+          // Comparisons of vectors become branches in g++ 12, except those for the lesser of two. A minimum is below
+          // the least of its neighbours and zero, and the sign of the difference is a bit.
           const V c = centre[f], before_it = centre[f - 1], behind_it = centre[f + 1];
           V least = before_it < behind_it ? before_it : behind_it;
           least = least < one[f] ? least : one[f];

@@ -202,7 +202,7 @@ void compare_strain(const Workload& w, const Sequence& sequence, const Float_seq
       for (std::size_t f = 0; f < field.number_of_frames(); ++f)
         if (shape.areas()[t] > 0)
           worst = (std::max)(worst, std::abs(double(field(t, f)) - reference(t, f)) / (1 + reference(t, f)));
-    return cell(worst);
+    return Cell(worst);
   };
   std::vector<Method> methods = {
       {"Eigen, 3 x 3, iterative", 1, [&] { naive_strain<false>(w, shape, other); }, Cell()},
@@ -267,10 +267,10 @@ void compare_curvature(const Workload& w, const Sequence& sequence, const Float_
   for (std::size_t threads : thread_counts()) {
     methods.push_back({"curvature(), the same measure, double", threads,
                        with_threads(threads, [&](auto tag) { Amf::curvature<decltype(tag)>(sequence, balls, angle); }),
-                       cell(largest_difference(Amf::curvature(sequence, balls, angle), reference))});
+                       Cell(largest_difference(Amf::curvature(sequence, balls, angle), reference))});
     methods.push_back({"curvature(), the same measure, float", threads,
                        with_threads(threads, [&](auto tag) { Amf::curvature<decltype(tag)>(floats, balls, angle); }),
-                       cell(largest_difference(Amf::curvature(floats, balls, angle), reference))});
+                       Cell(largest_difference(Amf::curvature(floats, balls, angle), reference))});
     methods.push_back(
         {"curvature(), density of mean curvature, double", threads,
          with_threads(threads, [&](auto tag) { Amf::curvature<decltype(tag)>(sequence, balls, density); }), Cell()});

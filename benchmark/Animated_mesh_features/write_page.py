@@ -151,12 +151,11 @@ def main():
         ("Memory", memory()),
         ("Compiler", built.get("compiler", "unknown")),
         ("Flags", "`" + flags(build_folder) + "`"),
-        ("Libraries", "CGAL %s, Eigen %s, oneTBB %s" % tuple(built.get(k, "unknown") for k in ("cgal", "eigen", "tbb"))),
+        ("Libraries", ", ".join(n + " " + built.get(n.lower(), "unknown") for n in ["CGAL", "Eigen", "TBB"])),
     ]
     out = ["/*!", "\\page PkgAnimatedMeshFeaturesPerformance Performance", "", INTRODUCTION]
     if any(r["quick"] for r in reports):
-        out += ["<b>Quick run: sizes and repetitions only show that the programs work; the figures are worth nothing.</b>",
-                ""]
+        out += ["<b>A quick run: it shows that the programs work; the figures are worth nothing.</b>", ""]
     out += ["| | |", "| :--- | :--- |"] + ["| %s | %s |" % row for row in machine] + [""]
     for report in reports:
         for i, value in enumerate(report["tables"]):
