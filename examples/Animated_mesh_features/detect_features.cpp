@@ -10,6 +10,7 @@
 #include "detect_features/Animation.h"
 #include "detect_features/Command_line.h"
 #include "detect_features/Interruption.h"
+#include "detect_features/Memory_plan.h"
 #include "detect_features/Monitor.h"
 #include "detect_features/Result_files.h"
 #include "detect_features/Stage_log.h"
@@ -85,16 +86,20 @@ void run(const Command_line& command_line)
   const Thread_limit thread_limit(command_line.threads);
   Stage_log log;
   log.begin("reading");
-  const Animation animation(command_line);
+  Memory_plan memory_plan(command_line.memory, command_line.scratch_directory);
+  const Animation animation(command_line, [&](std::size_t vertices, std::size_t frames) {
+    memory_plan.decide(vertices, frames, command_line.fields.size());
+  });
   log.end();
-  if (command_line.verbose) std::cerr << animation_report(command_line, animation) << std::flush;
+  if (command_line.verbose)
+    std::cerr << animation_report(command_line, animation) << memory_plan.report() << '\n' << std::flush;
 
   const Interruption interruption; // before there is anything to be left behind
   Result_files files(command_line);
   Detection detection;
   {
     Monitor monitor(log, !command_line.quiet);
-    detection = detect(animation.sequence(), command_line, files, monitor);
+    detection = detect(animation.sequence(), command_line, memory_plan.level_memory(), files, monitor);
   }
   throw_if_interrupted();
   {

@@ -27,8 +27,9 @@ typedef CGAL::Animated_mesh_features::Frame_sequence<Mesh, FT> Sequence;
 class Animation
 {
 public:
-  // throws Input_error and Option_error.
-  explicit Animation(const Command_line& command_line);
+  // `observe_size` is told the size before the memory is taken.
+  // throws Input_error and Option_error, and what `observe_size` throws.
+  Animation(const Command_line& command_line, const CGAL::Animated_mesh_features::IO::Size_observer& observe_size);
   Animation(const Animation&) = delete;
   Animation& operator=(const Animation&) = delete;
 

@@ -27,7 +27,7 @@ namespace {
 struct Text
 {
   std::string fps, rest, preset, spatial_filter, temporal_filter, strain, curvature, balls, box_width, ball_radius,
-      alpha, sigma_range, tau_range, threshold, absolute_threshold, threads;
+      alpha, sigma_range, tau_range, threshold, absolute_threshold, threads, memory, scratch;
   std::vector<std::string> outputs, fields;
 };
 
@@ -68,7 +68,7 @@ po::options_description described_options(Command_line& c, Text& t)
              "(heat-patches, slow) or on the whole mesh (heat-global, very slow), or paths along edges (dijkstra)");
   add_method(
       "ball-radius", text(t.ball_radius, "R"),
-      "length, or % of the diagonal (default: 4.5 % of the diameter of the rest shape, at least 3 mean edge lengths)");
+      "length, or % of the diagonal (default: 4.5 % of the diameter of the rest shape, between 3 and 8 mean edge lengths)");
   add_method("alpha", text(t.alpha, "A"),
              "weight of the change of curvature against strain (default: 7); 0 leaves curvature out");
   add_method("spatial-filter", text(t.spatial_filter, "NAME"),
@@ -105,6 +105,11 @@ po::options_description described_options(Command_line& c, Text& t)
   po::options_description other = group("Other");
   auto add_other = other.add_options();
   add_other("threads", text(t.threads, "N"), "how many threads to use at most; the result is the same (default: all)");
+  add_other("memory", text(t.memory, "SIZE"),
+            "how much memory to use at most, such as 4G or 800M; what does not fit goes to files on the scratch directory, "
+            "with the same result (default: what is available, and nothing on a disk)");
+  add_other("scratch", text(t.scratch, "DIR"),
+            "the scratch directory, on a disk (default: that of the environment variable TMPDIR, or /var/tmp)");
   add_other("help,h", po::bool_switch(&c.help), "show this text");
   add_other("version", po::bool_switch(&c.version), "show the version");
 
@@ -222,6 +227,36 @@ void set_method(const Text& t, Command_line& c)
     c.absolute_threshold = non_negative_number("--absolute-threshold", t.absolute_threshold);
 }
 
+// Bytes: a number with K, M, G or T (of 1024) behind it, or none of them.
+std::size_t memory_size(const std::string& option, const std::string& text)
+{
+  std::string digits = text;
+  double unit = 1;
+  const std::string units = "KMGT";
+  const std::size_t power = text.empty() ? std::string::npos : units.find(char(std::toupper(text.back())));
+  if (power != std::string::npos) {
+    digits.pop_back();
+    unit = std::ldexp(1., 10 * (int(power) + 1));
+  }
+  const double bytes = unit * positive_number(option, digits);
+  if (!(bytes < std::ldexp(1., 62))) throw Option_error(option + ": \"" + text + "\" is too much");
+  return std::size_t(bytes);
+}
+
+std::string default_scratch_directory()
+{
+  const char* const directory = std::getenv("TMPDIR");
+  if (directory != nullptr && *directory != '\0') return directory;
+  return std::filesystem::is_directory("/var/tmp") ? "/var/tmp" : std::filesystem::temp_directory_path().string();
+}
+
+void set_memory(const Text& t, Command_line& c)
+{
+  if (!t.memory.empty()) c.memory = memory_size("--memory", t.memory);
+  if (!t.scratch.empty() && !c.memory) throw Option_error("--scratch goes with --memory, which says when to use it");
+  c.scratch_directory = t.scratch.empty() ? default_scratch_directory() : t.scratch;
+}
+
 void set_rest(const std::string& rest, Command_line& c)
 {
   const std::string frame = "frame:";
@@ -317,6 +352,7 @@ Command_line parse_command_line(int argc, const char* const* argv)
   if (c.quiet && c.verbose) throw Option_error("--quiet and --verbose exclude each other");
   if (!t.fps.empty()) c.frames_per_second = positive_number("--fps", t.fps);
   if (!t.threads.empty()) c.threads = count("--threads", t.threads);
+  set_memory(t, c);
   set_rest(t.rest, c);
   set_method(t, c);
   set_outputs(t, c);

@@ -75,7 +75,9 @@ struct Command_line
   std::vector<Requested_file<Format>> outputs;
   std::vector<Requested_file<Field>> fields;
 
-  std::size_t threads = 0; // 0: all
+  std::size_t threads = 0;           // 0: all
+  std::optional<std::size_t> memory; // bytes
+  std::string scratch_directory;
   bool quiet = false, verbose = false;
 };
 

@@ -67,7 +67,7 @@ Values deformation(const Sequence& sequence, const Command_line& c, const Curvat
 template <class TemporalFilter, class Sampling, class Response>
 void find_features(const Sequence& sequence, Values deformation, const Chosen_spatial_filter& spatial,
                    const TemporalFilter& temporal, const Sampling& sampling, const Response& response,
-                   Detection& result, Monitor& monitor)
+                   std::size_t level_memory, Detection& result, Monitor& monitor)
 {
   auto options = AMF::calibrated_options()
                      .with_spatial_filter(spatial)
@@ -77,6 +77,7 @@ void find_features(const Sequence& sequence, Values deformation, const Chosen_sp
   options.selection = result.selection;
   AMF::Feature_detector<Sequence, decltype(options)> detector(sequence, options);
   detector.set_deformation(std::move(deformation));
+  detector.set_level_memory(level_memory);
   detector(std::back_inserter(result.features), monitor);
   result.number_of_minima = detector.number_of_minima();
   result.sigma_levels = detector.sigma_levels();
@@ -99,7 +100,8 @@ AMF::Fixed_ratio_sampling fixed_ratio_sampling(const Sequence& sequence, const C
 
 } // namespace
 
-Detection detect(const Sequence& sequence, const Command_line& c, Result_files& files, Monitor& monitor)
+Detection detect(const Sequence& sequence, const Command_line& c, std::size_t level_memory, Result_files& files,
+                 Monitor& monitor)
 {
   Detection result;
   set_defaults(sequence, c, result);
@@ -115,10 +117,10 @@ Detection detect(const Sequence& sequence, const Command_line& c, Result_files& 
   const auto find = [&](const auto& temporal) {
     if (is_published)
       find_features(sequence, std::move(field), spatial, temporal, AMF::Every_smoothing_count(),
-                    AMF::Forward_difference_of_gaussians(), result, monitor);
+                    AMF::Forward_difference_of_gaussians(), level_memory, result, monitor);
     else
       find_features(sequence, std::move(field), spatial, temporal, fixed_ratio_sampling(sequence, c),
-                    AMF::Central_difference_of_gaussians(), result, monitor);
+                    AMF::Central_difference_of_gaussians(), level_memory, result, monitor);
   };
   try {
     if (c.temporal_filter == Temporal_filter::BOX)

@@ -36,9 +36,11 @@ struct Detection
   CGAL::Animated_mesh_features::Feature_selection selection;
 };
 
-// Computes the deformation, writes the fields that are wanted, and finds the features.
+// Computes the deformation, writes the fields that are wanted, and finds the features. `level_memory` bytes are for the
+// space levels.
 // throws Option_error, Output_error, Numerical_error, Cancelled.
-Detection detect(const Sequence& sequence, const Command_line& command_line, Result_files& files, Monitor& monitor);
+Detection detect(const Sequence& sequence, const Command_line& command_line, std::size_t level_memory,
+                 Result_files& files, Monitor& monitor);
 
 } // namespace Detect_features
 
