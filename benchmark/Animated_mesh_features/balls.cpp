@@ -11,6 +11,7 @@
 #include "animations.h"
 #include "benchmark_support.h"
 
+#include <CGAL/Animated_mesh_features/CGAL_heat_method_geodesic_balls.h>
 #include <CGAL/Animated_mesh_features/Compressed_rows.h>
 #include <CGAL/Animated_mesh_features/Dijkstra_geodesic_balls.h>
 #include <CGAL/Animated_mesh_features/Heat_method_geodesic_balls.h>
@@ -264,6 +265,7 @@ void compare_errors(const std::string& name, const Mesh& mesh, const Arguments& 
   }
   add("CGAL heat method, patch of each vertex",
       errors([&](Index s) { return heat_method_on_patch(shape, s, radius); }));
+  add_policy("CGAL_heat_method_geodesic_balls", Amf::CGAL_heat_method_geodesic_balls());
   add_policy("Heat_method_geodesic_balls (default)", Amf::Heat_method_geodesic_balls());
   add_policy("Dijkstra_geodesic_balls", Amf::Dijkstra_geodesic_balls());
   Fast_marching marching(shape);
@@ -324,6 +326,8 @@ void compare_times(const Mesh& mesh, const Arguments& arguments, Table& table)
     add("fast marching, unfolded", 1, preparation + seconds / double(sources.size()) * double(n),
         "unfolding " + shown(preparation) + " s, " + std::to_string(sources.size()) + " sources, extrapolated");
   }
+  if (n < 50000)
+    add("CGAL_heat_method_geodesic_balls", 1, policy_seconds(Amf::CGAL_heat_method_geodesic_balls(), 1), "all");
   add("Heat_method_geodesic_balls (default)", 1, clusters, "all");
   add("Dijkstra_geodesic_balls", 1, policy_seconds(Amf::Dijkstra_geodesic_balls(), 1), "all");
   for (std::size_t threads : thread_counts())

@@ -109,71 +109,6 @@ inline double least_seconds(const std::function<void()>& f, const Repetitions& r
   return least_seconds(std::vector<std::function<void()>>{f}, r)[0];
 }
 
-// ------------------------------------------------------------------------------------------------------------- memory
-
-// A line such as "VmHWM:  1234 kB" of Linux' account of this process, in bytes; 0 where there is no such account.
-inline double process_memory(const char* name)
-{
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);)
-    if (line.compare(0, std::strlen(name), name) == 0) return 1024 * std::atof(line.c_str() + std::strlen(name) + 1);
-  return 0;
-}
-
-// The most memory that was in use since the construction, over what was in use then.
-class Peak_memory
-{
-public:
-  Peak_memory()
-  {
-    std::ofstream("/proc/self/clear_refs") << 5; // sets the peak to what is in use now
-    m_before = process_memory("VmRSS");
-  }
-  double bytes() const { return (std::max)(0., process_memory("VmHWM") - m_before); }
-
-private:
-  double m_before;
-};
-
-// Runs f in a child process and returns what it returns: a name and a number each. What is measured there does not meet
-// the memory that earlier measurements left behind. No threads must have been started before.
-inline std::map<std::string, double> in_child_process(const std::function<std::map<std::string, double>()>& f)
-{
-  int ends[2];
-  if (pipe(ends) != 0) throw std::runtime_error("no pipe to a child process");
-  std::cout.flush();
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("no child process");
-  if (child == 0) {
-    close(ends[0]);
-    int result = EXIT_SUCCESS;
-    try {
-      std::ostringstream os;
-      os << std::setprecision(17);
-      for (const auto& value : f()) os << value.first << ' ' << value.second << '\n';
-      const std::string text = os.str();
-      if (write(ends[1], text.data(), text.size()) != ssize_t(text.size())) result = EXIT_FAILURE;
-    } catch (const std::exception& e) {
-      std::cerr << e.what() << std::endl;
-      result = EXIT_FAILURE;
-    }
-    _exit(result);
-  }
-  close(ends[1]);
-  std::string text;
-  char buffer[4096];
-  for (ssize_t n; (n = read(ends[0], buffer, sizeof buffer)) > 0;) text.append(buffer, std::size_t(n));
-  close(ends[0]);
-  int status = 0;
-  waitpid(child, &status, 0);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != EXIT_SUCCESS) throw std::runtime_error("a child process failed");
-  std::map<std::string, double> values;
-  std::istringstream is(text);
-  std::string name;
-  for (double value; is >> name >> value;) values[name] = value;
-  return values;
-}
-
 // ------------------------------------------------------------------------------------------------------------ threads
 
 inline std::size_t number_of_cores()
@@ -209,6 +144,13 @@ private:
 #endif
 };
 
+// Keeps the package on one thread, so that a child process can be made; ends in the child.
+inline std::unique_ptr<Thread_limit>& limit_before_child_processes()
+{
+  static std::unique_ptr<Thread_limit> limit;
+  return limit;
+}
+
 // The loop that policies are given, see the concept GeodesicBalls, for calling one without a detector.
 struct Policy_loop
 {
@@ -226,6 +168,72 @@ struct Policy_loop
     return *this;
   }
 };
+
+// ------------------------------------------------------------------------------------------------------------- memory
+
+// A line such as "VmHWM:  1234 kB" of Linux' account of this process, in bytes; 0 where there is no such account.
+inline double process_memory(const char* name)
+{
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.compare(0, std::strlen(name), name) == 0) return 1024 * std::atof(line.c_str() + std::strlen(name) + 1);
+  return 0;
+}
+
+// The most memory that was in use since the construction, over what was in use then.
+class Peak_memory
+{
+public:
+  Peak_memory()
+  {
+    std::ofstream("/proc/self/clear_refs") << 5; // sets the peak to what is in use now
+    m_before = process_memory("VmRSS");
+  }
+  double bytes() const { return (std::max)(0., process_memory("VmHWM") - m_before); }
+
+private:
+  double m_before;
+};
+
+// Runs f in a child process and returns what it returns: a name and a number each. What is measured there does not meet
+// the memory that earlier measurements left behind. No threads must have been started before, see above.
+inline std::map<std::string, double> in_child_process(const std::function<std::map<std::string, double>()>& f)
+{
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error("no pipe to a child process");
+  std::cout.flush();
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("no child process");
+  if (child == 0) {
+    close(ends[0]);
+    int result = EXIT_SUCCESS;
+    try {
+      limit_before_child_processes().reset(); // or it would hold here as well
+      std::ostringstream os;
+      os << std::setprecision(17);
+      for (const auto& value : f()) os << value.first << ' ' << value.second << '\n';
+      const std::string text = os.str();
+      if (write(ends[1], text.data(), text.size()) != ssize_t(text.size())) result = EXIT_FAILURE;
+    } catch (const std::exception& e) {
+      std::cerr << e.what() << std::endl;
+      result = EXIT_FAILURE;
+    }
+    _exit(result);
+  }
+  close(ends[1]);
+  std::string text;
+  char buffer[4096];
+  for (ssize_t n; (n = read(ends[0], buffer, sizeof buffer)) > 0;) text.append(buffer, std::size_t(n));
+  close(ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != EXIT_SUCCESS) throw std::runtime_error("a child process failed");
+  std::map<std::string, double> values;
+  std::istringstream is(text);
+  std::string name;
+  for (double value; is >> name >> value;) values[name] = value;
+  return values;
+}
 
 // ------------------------------------------------------------------------------------------------------------- tables
 

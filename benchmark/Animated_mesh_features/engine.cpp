@@ -314,8 +314,7 @@ void print_kernel(const Arguments& arguments, Report& report)
 int main(int argc, char* argv[])
 {
   return run("engine", argc, argv, [](const Arguments& arguments, Report& report) {
-    // One thread only before the child processes are made.
-    const Thread_limit limit(1);
+    limit_before_child_processes() = std::make_unique<Thread_limit>(1);
     set_openmp_threads(1);
     print_kernel(arguments, report);
     const Counts p = {10, 72, 150}, h = {8, 77, 54}, small = {8, 12, 16};
