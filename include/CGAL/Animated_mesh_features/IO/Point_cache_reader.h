@@ -124,7 +124,7 @@ public:
   void read_fields(Spatio_temporal_field<FT>& x, Spatio_temporal_field<FT>& y, Spatio_temporal_field<FT>& z)
   {
     const std::array<Spatio_temporal_field<FT>*, 3> fields = {{&x, &y, &z}};
-    internal::resize_fields<ConcurrencyTag>(m_points, m_frames, fields);
+    internal::resize_fields(m_points, m_frames, fields);
     const internal::Frames_in_file frames = {m_file.get(), m_header_size, m_points, m_frames, m_order};
     if (internal::read_frame_pieces<ConcurrencyTag>(frames, fields)) return;
     internal::Field_filler<FT, ConcurrencyTag> filler(fields);

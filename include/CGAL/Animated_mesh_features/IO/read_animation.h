@@ -113,7 +113,7 @@ void read_frame_files(const std::vector<std::string>& files, const Mesh_reading_
   read_mesh(files[0], options, memory().content, data.mesh);
   if (observe_size) observe_size(data.mesh.points.size(), data.frames);
   const std::array<Spatio_temporal_field<FT>*, 3> fields = {{&data.x, &data.y, &data.z}};
-  resize_fields<ConcurrencyTag>(data.mesh.points.size(), data.frames, fields);
+  resize_fields(data.mesh.points.size(), data.frames, fields);
   Field_filler<FT, ConcurrencyTag> filler(fields);
   filler.put(0, data.mesh.points[0].data(), files[0]);
 

@@ -10,7 +10,6 @@
 #include <CGAL/Animated_mesh_features/exceptions.h>
 #include <CGAL/Animated_mesh_features/internal/Frame_batch.h>
 #include <CGAL/Animated_mesh_features/internal/all_finite.h>
-#include <CGAL/Animated_mesh_features/internal/parallel_for.h>
 #include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
 
@@ -24,15 +23,12 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-// Gives fields their size; on several threads, as the first touch of that much memory takes longer than to read a cache
-// into it.
-template <class ConcurrencyTag, class FT>
+template <class FT>
 void resize_fields(std::size_t number_of_vertices, std::size_t number_of_frames,
                    const std::array<Spatio_temporal_field<FT>*, 3>& fields)
 {
-  Animated_mesh_features::internal::parallel_for<ConcurrencyTag>(0, fields.size(), [&](std::size_t c) {
-    Spatio_temporal_field<FT>(number_of_vertices, number_of_frames).swap(*fields[c]);
-  });
+  for (Spatio_temporal_field<FT>* field : fields)
+    *field = Spatio_temporal_field<FT>(number_of_vertices, number_of_frames);
 }
 
 // Fills fields from frames in files: a frame is checked as it comes.
