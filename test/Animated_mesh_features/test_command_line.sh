@@ -262,6 +262,10 @@ usage "--rescale-rest" c.obj c.pc2 --rescale-rest
 usage "frames are 0 to 15" c.obj c.pc2 --rest frame:16
 usage "--rest" c.obj c.pc2 --rest frame:x
 usage "--threads" c.obj c.pc2 --threads=-1
+usage "--memory" c.obj c.pc2 --memory lots
+usage "--memory" c.obj c.pc2 --memory -1G
+usage "--memory" c.obj c.pc2 --memory 9999999T
+usage "--scratch goes with --memory" c.obj c.pc2 --scratch .
 usage "exclude" c.obj c.pc2 --quiet --verbose
 usage "-o json:x.txt" c.obj c.pc2 -o x.txt
 usage "strain:FILE" c.obj c.pc2 --write-field pressure:x.npy
@@ -377,6 +381,27 @@ cp x.json one.json
 find_features --threads 2
 cmp -s x.json one.json || fail "another result with two threads"
 cmp -s x.json base.json || fail "another result with all threads"
+
+# Neither does the memory. Too little is refused with what it takes, before anything is done.
+"$generator" cylinder --vertices 1500 --fps 150 -o memory >/dev/null ||
+  fail "make_animation cannot make an animation to be computed on a disk"
+rm -f x.json
+expect 0 "fields in memory" memory.obj memory.pc2 --memory 2G --verbose -o in_memory.json
+for tool in "" "--preset published --box-width 100"; do
+  # shellcheck disable=SC2086
+  expect 0 "" memory.obj memory.pc2 $tool -o in_memory.json
+  # shellcheck disable=SC2086
+  expect 1 "frames need about" memory.obj memory.pc2 $tool --memory 1M -o x.json
+  nothing_written
+  least="$(sed -nE 's/.* at least ([0-9]+)M .*/\1/p' err)"
+  if [[ "$(uname)" == Linux && "$(stat -f -c %T .)" != tmpfs ]]; then
+    # shellcheck disable=SC2086
+    expect 0 "fields on ." memory.obj memory.pc2 $tool --memory "$((least + 1))M" --scratch . --verbose -o on_disk.json
+    cmp -s in_memory.json on_disk.json || fail "another result on a disk: $tool"
+    expect 4 "no such folder" memory.obj memory.pc2 --memory "$((least + 1))M" --scratch "no such folder" -o x.json
+    nothing_written
+  fi
+done
 
 # ----------------------------------------------------------------------------------------------------- output
 

@@ -43,11 +43,27 @@ public:
   makes level `l` of a row from level `l` - 1, or, for `l` = 0, from the row that is not smoothed. Called from several
   threads at the same time, for any row and level.
 
-  \tparam FT the scalar of the animation.
+  \tparam T `double`; for a model with `vectorized`, also packs of several `float` or `double`.
   \param in, out `number_of_frames` values each; they do not overlap.
   */
-  template <class FT>
-  void operator()(std::size_t l, const FT* in, FT* out) const;
+  template <class T>
+  void operator()(std::size_t l, const T* in, T* out) const;
+
+  /// \name What Makes the Search Fast
+  /// Optional. Without it, and with it, the same extrema are found.
+  /// @{
+
+  /// `true`: `operator()` may be called with packs of numbers as `T`, values of several rows in one frame. They have a
+  /// default value without meaning and copies, `T + T`, `T - T` and `T * T::Scalar`, where `T::Scalar` is `float` or
+  /// `double`; of the sum of absolute weights times the largest value, at most some rounding errors of `T::Scalar` may be
+  /// lost by a step. What the model calls on the way should be inlined.
+  static constexpr bool vectorized = true;
+
+  /// whether every level l > 0 is level l - 1 after one and the same operation. Then differences of levels are smoothed
+  /// in single precision, however close the levels are. Needed with `vectorized`.
+  bool has_equal_steps() const;
+
+  /// @}
 
   /// \name What Samplings Ask For
   /// Needed only with a `ScaleSampling` that asks for it; may be called before `initialize()`.
