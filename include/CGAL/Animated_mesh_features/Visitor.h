@@ -57,10 +57,10 @@ struct Default_visitor
   void begin(Stage) {}
 
   /*!
-  called between portions of the work of a stage, at least 30 times a stage (on meshes of less than 2000 vertices less
-  often), with `fraction` growing from 0 to 1.
+  called between tasks of a stage that this thread works on, some 30 times a stage (on small meshes less often), with
+  `fraction` growing from 0 to 1.
   Stages of which a part cannot be divided (a factorisation) are silent for that time.
-  \returns whether to go on. If `false`, `Cancelled` is thrown out of the detector within one portion of work.
+  \returns whether to go on. If `false`, no further tasks begin, and `Cancelled` is thrown out of the detector.
   */
   bool progress(Stage, double /* fraction */) { return true; }
 
