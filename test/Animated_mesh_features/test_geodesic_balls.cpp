@@ -510,8 +510,9 @@ void test_clusters()
   }
 }
 
-// Without ties, clusters are where they are whatever the numbers of the vertices.
-void test_renumbering()
+// Without ties, clusters are where they are whatever the numbers of the vertices. Where there are ties, in a regular
+// mesh, rounding does not decide them.
+void test_renumbering_and_turning()
 {
   Random random(28);
   Shape s = irregular_square(40, random, 0.35);
@@ -534,6 +535,15 @@ void test_renumbering()
     different += ball != b[number[v]];
   }
   CHECK(different == 0);
+
+  Shape regular = regular_plane(30, 30);
+  const Balls before = balls_of(rest_shape_of(regular), 3.3, Amf::Heat_method_geodesic_balls());
+  for (int i = 0; i < 3; ++i) {
+    const Eigen::AngleAxisd rotation = random.rotation();
+    Shape turned = regular;
+    turned.points = mapped(regular.points, [&](const Vec& p) { return Vec(0.3 * (rotation * p)); });
+    CHECK(balls_of(rest_shape_of(turned), 0.3 * 3.3, Amf::Heat_method_geodesic_balls()) == before);
+  }
 }
 
 template <class Policy>
@@ -584,7 +594,7 @@ int main()
   test_long_strip();
   test_detour();
   test_clusters();
-  test_renumbering();
+  test_renumbering_and_turning();
   test_threads(Amf::Dijkstra_geodesic_balls());
   test_threads(Amf::Heat_method_geodesic_balls());
   test_threads(Amf::CGAL_heat_method_geodesic_balls());

@@ -11,10 +11,11 @@
 #include <CGAL/Animated_mesh_features/Rest_shape.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -24,10 +25,9 @@ namespace Animated_mesh_features {
 namespace internal {
 
 // Groups of vertices, each of those to which a seed is nearer than any other seed, by paths along edges. A next seed is
-// where the distance from all seeds so far is just above `radius`: seeds are packed almost as densely as their
-// distance allows. The first is the outermost vertex
-// of a component, so that the numbering of the vertices decides ties only, and a component has the clusters that it would
-// have alone.
+// where the distance from all seeds so far is just above `radius`: seeds are packed almost as densely as their distance
+// allows. The first is the outermost vertex of a component, so that the numbering of the vertices decides ties only, and
+// a component has the clusters that it would have alone.
 class Vertex_clusters
 {
 public:
@@ -35,7 +35,7 @@ public:
 
   Vertex_clusters(const Rest_shape& shape, double radius)
     : m_shape(&shape)
-    , m_radius(radius)
+    , m_unit(radius / double(radius_in_units))
     , m_distance(shape.number_of_vertices(), infinity)
     , m_cluster(shape.number_of_vertices(), Rest_shape::none)
   {
@@ -63,11 +63,15 @@ public:
   }
 
 private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  typedef std::pair<double, Index> Entry;
+  // Lengths are whole numbers, about billionths of the radius, so that what is equal but for rounding is equal: else,
+  // on a regular mesh, clusters would change when the shape is turned.
+  typedef std::uint64_t Length;
+  static constexpr Length radius_in_units = Length(1) << 30;
+  static constexpr Length infinity = (std::numeric_limits<Length>::max)();
+  typedef std::pair<Length, Index> Entry;
   typedef std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> Queue;
 
-  // The vertex that is farthest from the mean of those that edges connect with v.
+  // The vertex that is farthest from the mean of those that edges connect with v; the first of several.
   Index outermost_of_component(Index v)
   {
     constexpr Index met = Rest_shape::none - 1;
@@ -83,17 +87,22 @@ private:
         }
     }
     centre /= double(component.size());
-    Index result = v;
-    double farthest = -1;
+    double farthest = 0;
     for (Index w : component) {
       m_cluster[w] = Rest_shape::none;
-      const double d = (m_shape->points()[w] - centre).squaredNorm();
-      if (d > farthest || (d == farthest && w < result)) {
-        farthest = d;
-        result = w;
-      }
+      farthest = (std::max)(farthest, (m_shape->points()[w] - centre).norm());
     }
+    constexpr double rounding = 1e-9;
+    Index result = Rest_shape::none;
+    for (Index w : component)
+      if ((m_shape->points()[w] - centre).norm() >= (1 - rounding) * farthest) result = (std::min)(result, w);
     return result;
+  }
+
+  Length length(Index edge) const
+  {
+    constexpr double longest = 1e18; // no sum of two overflows
+    return Length(std::llround((std::min)(m_shape->lengths()[edge] / m_unit, longest)));
   }
 
   // Gives to the seed what is nearer to it than to the seeds before. Beyond the radius a vertex passes the search on no
@@ -113,10 +122,10 @@ private:
       for (Index e : m_shape->incident_edges()[v]) {
         const Rest_shape::Edge& edge = m_shape->edges()[e];
         const Index w = edge.source == v ? edge.target : edge.source;
-        const double d = top.first + m_shape->lengths()[e];
+        const Length d = top.first + length(e);
         if (!(d < m_distance[w])) continue;
         m_distance[w] = d;
-        if (d > m_radius)
+        if (d > radius_in_units)
           m_candidates.emplace(d, w);
         else {
           m_cluster[w] = cluster;
@@ -127,8 +136,8 @@ private:
   }
 
   const Rest_shape* m_shape;
-  double m_radius;
-  std::vector<double> m_distance;
+  double m_unit;
+  std::vector<Length> m_distance;
   std::vector<Index> m_cluster;
   std::size_t m_number_of_clusters = 0;
   Queue m_candidates;
