@@ -284,9 +284,9 @@ void test_rest_connectivity(const Bumpy_sphere& sphere)
   std::vector<std::array<Mesh::Vertex_index, 3>> triangles;
   for (auto f : faces(animation.mesh)) {
     const auto h = animation.mesh.halfedge(f);
-    triangles.push_back({{Mesh::Vertex_index(rank[animation.mesh.source(h)]),
-                          Mesh::Vertex_index(rank[animation.mesh.target(h)]),
-                          Mesh::Vertex_index(rank[animation.mesh.target(animation.mesh.next(h))])}});
+    triangles.push_back(
+        {{Mesh::Vertex_index(rank[animation.mesh.source(h)]), Mesh::Vertex_index(rank[animation.mesh.target(h)]),
+          Mesh::Vertex_index(rank[animation.mesh.target(animation.mesh.next(h))])}});
   }
   std::shuffle(triangles.begin(), triangles.end(), random);
   for (const auto& t : triangles) mesh.add_face(t[0], t[1], t[2]);
@@ -299,8 +299,8 @@ void test_rest_connectivity(const Bumpy_sphere& sphere)
     good = a[0] < a[1] && a[0] < a[2];
     bool is_same = false;
     for (int i = 0; i < 3; ++i)
-      is_same = is_same || (a[i] == triangles[t][0] && a[(i + 1) % 3] == triangles[t][1] &&
-                            a[(i + 2) % 3] == triangles[t][2]);
+      is_same = is_same ||
+                (a[i] == triangles[t][0] && a[(i + 1) % 3] == triangles[t][1] && a[(i + 2) % 3] == triangles[t][2]);
     good = good && is_same;
     ordered.push_back(shape.triangles()[shape.ordered_triangles()[t]]);
   }
@@ -334,8 +334,7 @@ void test_rest_connectivity(const Bumpy_sphere& sphere)
     for (const auto& e : edges)
       if (e.first == v || e.second == v) neighbours.push_back(e.first == v ? e.second : e.first);
     std::sort(neighbours.begin(), neighbours.end());
-    for (Index n : neighbours)
-      at.push_back(Index(std::distance(edges.begin(), edges.find(std::minmax(v, n)))));
+    for (Index n : neighbours) at.push_back(Index(std::distance(edges.begin(), edges.find(std::minmax(v, n)))));
     for (Index t : shape.ordered_triangles())
       if (std::count(shape.triangles()[t].begin(), shape.triangles()[t].end(), v) != 0) around.push_back(t);
     const auto same = [](const AMF::Compressed_rows::Row& row, const std::vector<Index>& expected) {
@@ -354,7 +353,7 @@ template <class FT>
 void test_rows()
 {
   Mesh mesh;
-  const std::size_t n = 1001;
+  const std::size_t n = 2101;
   for (std::size_t v = 0; v < n; ++v) mesh.add_vertex(Point_3(double(v), double(v % 2), 0));
   for (unsigned v = 0; v + 2 < n; ++v)
     mesh.add_face(Mesh::Vertex_index(v), Mesh::Vertex_index(v + 1 + v % 2), Mesh::Vertex_index(v + 2 - v % 2));
@@ -381,9 +380,11 @@ void test_rows()
 
     // of several, the error of the first vertex is told, and of its first frame
     const FT bad = std::numeric_limits<FT>::quiet_NaN();
-    fields[0](1000, 0) = fields[1](1000, 2) = bad;
     typedef AMF::Frame_sequence<Mesh, FT> Sequence_of_fields;
     const auto make = [&] { return Sequence_of_fields(mesh, fields[0], fields[1], fields[2], 1).number_of_frames(); };
+    fields[2](n - 1, frames - 1) = bad;
+    CHECK_THROWS(AMF::Input_error, make(), "frame " + std::to_string(frames - 1) + ": the position of vertex 2100 is");
+    fields[0](1000, 0) = fields[1](1000, 2) = bad;
     CHECK_THROWS(AMF::Input_error, make(), "frame 0: the position of vertex 1000 is");
     fields[2](999, frames - 1) = bad;
     CHECK_THROWS(AMF::Input_error, make(), "frame " + std::to_string(frames - 1) + ": the position of vertex 999 is");

@@ -313,6 +313,9 @@ void test_animation_errors()
   error({folder.path("s")}, second + ": has 4 vertices, but the first frame, ");
   folder.write("s/f2.obj", obj(1, "f 2 1 3\n"));
   error({folder.path("s")}, second + ": triangle 0 is (1, 0, 2), but (0, 1, 2) in the first frame, ");
+  folder.write("s4/f1.obj", "v 1 1 1\n" + obj(0));
+  const std::string other = folder.write("s4/f2.obj", "v 1 1 1\n" + obj(1, "f 1 2 4\n"));
+  error({folder.path("s4")}, other + ": triangle 0 is (0, 1, 3), but (0, 1, 2) in the first frame, ");
   folder.write("s/f2.obj", "v 0 0 nan\n");
   error({folder.path("s")}, second + ":1: vertex 0 has a coordinate that is not finite");
   folder.write("s/f2.obj", "v 0 0 0\nv 0 0 1\nv 1e200 0 0\nf 1 2 3\n");
