@@ -536,13 +536,16 @@ void test_renumbering_and_turning()
   }
   CHECK(different == 0);
 
-  Shape regular = regular_plane(30, 30);
-  const Balls before = balls_of(rest_shape_of(regular), 3.3, Amf::Heat_method_geodesic_balls());
-  for (int i = 0; i < 3; ++i) {
+  Shape regular = tube(24, 60, 12);
+  regular.points = mapped(regular.points,
+                          [](const Vec& p) { return Vec(p[0] + 0.11 * p[1] + 0.02 * p[2], p[1] + 0.07 * p[2], p[2]); });
+  const double radius = 0.9;
+  const Balls before = balls_of(rest_shape_of(regular), radius, Amf::Heat_method_geodesic_balls());
+  for (const double scale : {1., 0.3, 1000.}) {
     const Eigen::AngleAxisd rotation = random.rotation();
     Shape turned = regular;
-    turned.points = mapped(regular.points, [&](const Vec& p) { return Vec(0.3 * (rotation * p)); });
-    CHECK(balls_of(rest_shape_of(turned), 0.3 * 3.3, Amf::Heat_method_geodesic_balls()) == before);
+    turned.points = mapped(regular.points, [&](const Vec& p) { return Vec(scale * (rotation * p)); });
+    CHECK(balls_of(rest_shape_of(turned), scale * radius, Amf::Heat_method_geodesic_balls()) == before);
   }
 }
 

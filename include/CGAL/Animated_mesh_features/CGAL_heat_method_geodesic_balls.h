@@ -29,9 +29,10 @@ namespace Animated_mesh_features {
 
 Geodesic balls by \cgal's class for the heat method on local patches; a model of `GeodesicBalls`, for comparison.
 
-What `Heat_method_geodesic_balls` does with its own matrices, which is nine times faster: each distance is clamped to
-[Euclid, shortest path along edges], only one source is used at a time. With clusters of a single vertex it is the plain
-use of the class on the surroundings of each vertex. Linear in the number of vertices.
+What `Heat_method_geodesic_balls` does with its own matrices, which is eight to nine times faster: each distance is
+clamped to [Euclid, shortest path along edges], only one source is used at a time. With clusters of a single vertex it
+is the plain use of the class on the surroundings of each vertex, another seven times slower. Linear in the number of
+vertices.
 */
 struct CGAL_heat_method_geodesic_balls
 {

@@ -33,8 +33,9 @@ eight at a time in vector registers. Each distance is clamped to [Euclid, shorte
 used at a time, as distances to several are wrong next to the border. Degenerate triangles conduct no heat; what edges
 lead to within twice the radius alone can be in a ball, neither other components nor other sheets.
 
-Linear in the number of vertices. In memory, the balls take 4 bytes an entry, plus at most 1 byte an entry before they
-are complete, and 12 bytes a vertex for each thread.
+Linear in the number of vertices: 17 us a vertex with 70 vertices in a ball, 25 us with 170 (shortest paths along edges
+alone: 7 and 22). In memory, the balls take 4 bytes an entry and 8 bytes a vertex, plus at most 1 byte an entry before
+they are complete, and 12 bytes a vertex for each thread.
 
 Against exact geodesics, balls of three edge lengths have 98 to 99 % of their edges in common on smooth meshes, with
 borders and with slivers, and 94 % on a scanned horse, where vertices wrongly in or out are 3 % of the radius off the
