@@ -30,8 +30,8 @@ model of `GeodesicBalls`, the default.
 Vertices are grouped in clusters of neighbours. The two matrices of the method are factored once on the patch that
 reaches one radius and `patch_margin` mean edge lengths beyond a cluster, and solved for the vertices of the cluster,
 eight at a time in vector registers. Each distance is clamped to [Euclid, shortest path along edges]. Only one source is
-used at a time, as distances to several are wrong next to the border. Degenerate triangles conduct no heat; what edges
-lead to within twice the radius alone can be in a ball, neither other components nor other sheets.
+used at a time, as distances to several are wrong next to the border. Degenerate triangles conduct no heat. Only what
+edges lead to within twice the radius can be in a ball: no other component, and no other sheet.
 
 Linear in the number of vertices: 17 us a vertex with 70 vertices in a ball, 25 us with 170 (shortest paths along edges
 alone: 7 and 22). In memory, the balls take 4 bytes an entry and 8 bytes a vertex, plus at most 1 byte an entry before

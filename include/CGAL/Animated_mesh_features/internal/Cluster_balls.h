@@ -21,7 +21,7 @@ namespace Animated_mesh_features {
 namespace internal {
 
 // The balls of the vertices of a cluster. They have most of their vertices in common: each vertex is stored once, with
-// a bit for each ball, in a quarter of the memory of the balls one by one.
+// a bit for each ball, in a quarter of the memory of the balls one by one or less.
 class Cluster_balls
 {
 public:
