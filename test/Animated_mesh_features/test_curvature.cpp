@@ -12,6 +12,8 @@
 #include <CGAL/Animated_mesh_features/Dijkstra_geodesic_balls.h>
 #include <CGAL/Animated_mesh_features/Frame_sequence.h>
 #include <CGAL/Animated_mesh_features/curvature.h>
+#include <CGAL/Animated_mesh_features/deformation.h>
+#include <CGAL/Animated_mesh_features/strain.h>
 
 #include <CGAL/Kernel/global_functions.h>
 
@@ -439,6 +441,84 @@ void test_numbers_of_frames()
   }
 }
 
+// atan2 in lanes, at all angles and scales.
+template <class FT>
+struct Angle_kernel
+{
+  static constexpr std::size_t lanes = 64 / sizeof(FT);
+  const FT *y, *x;
+  FT* angles;
+  std::size_t n;
+
+  template <std::size_t register_bytes>
+  CGAL_ANIMATED_MESH_FEATURES_INLINE void run()
+  {
+    typedef Amf::internal::Lanes<FT, lanes, register_bytes> L;
+    for (std::size_t i = 0; i < n; i += lanes) Amf::internal::signed_angle(L::load(y + i), L::load(x + i)).store(angles + i);
+  }
+};
+
+template <class FT>
+void test_angles()
+{
+  namespace Ai = Amf::internal;
+  Random random(53);
+  const std::size_t n = 1 << 14;
+  std::vector<FT> y(n), x(n), angles(n), again(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double angle = i % 4 == 0 ? random.power(1e-20, 3) : random(-pi, pi), size = random.power(1e-6, 1e6);
+    y[i] = FT(size * std::sin(angle));
+    x[i] = FT(size * std::cos(angle));
+  }
+  const FT special[][2] = {{0, 0}, {0, 1}, {0, -1}, {1, 0}, {-1, 0}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}, {FT(-0.), 1}};
+  for (std::size_t i = 0; i < 10; ++i) {
+    y[i] = special[i][0];
+    x[i] = special[i][1];
+  }
+  Angle_kernel<FT> baseline{y.data(), x.data(), angles.data(), n}, widest{y.data(), x.data(), again.data(), n};
+  Ai::run_reproducibly<FT>(Ai::Instruction_set::BASELINE, baseline);
+  Ai::run_reproducibly<FT>(Ai::widest_instruction_set(), widest);
+  CHECK(angles == again);
+  double worst = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double expected = y[i] == 0 ? 0 : std::atan2(double(y[i]), double(x[i]));
+    // small angles to their own precision
+    const double error = expected == 0 ? std::abs(double(angles[i])) : std::abs(angles[i] / expected - 1);
+    if (!(error <= worst)) worst = error;
+  }
+  CHECK(worst < 4 * double(std::numeric_limits<FT>::epsilon()));
+  std::cout << "angles: relative error " << worst << std::endl;
+}
+
+template <class Measure>
+struct With_arrays : Measure
+{
+};
+
+// The same bits with any vector instructions, through Eigen arrays, and added to the strain block by block.
+template <class FT, class Measure>
+void test_instructions()
+{
+  namespace Ai = Amf::internal;
+  const Waving w(35);
+  const Mesh mesh = mesh_of(w.rest);
+  const auto sequence = sequence_of<FT>(mesh, w.rest.points, w.frames);
+  const Amf::Compressed_rows balls = dijkstra_balls(sequence, 0.3);
+  Amf::Default_visitor visitor;
+  const Ai::Task_loop<CGAL::Sequential_tag, Amf::Default_visitor> loop(visitor, Amf::Stage::CURVATURE);
+  const auto change = [&](const auto& measure, Ai::Instruction_set instructions) {
+    return Ai::curvature_change_rows(sequence.flat_animation(), balls, measure, loop, instructions);
+  };
+  const auto expected = change(Measure(), Ai::Instruction_set::BASELINE);
+  const auto strain = Amf::strain(sequence);
+  auto sum = strain;
+  Ai::add_curvature_change(sequence.flat_animation(), balls, Measure(), 7.3, loop, sum);
+  CHECK(largest_difference(expected, change(Measure(), Ai::widest_instruction_set())) == 0);
+  CHECK(largest_difference(expected, change(With_arrays<Measure>(), Ai::widest_instruction_set())) == 0);
+  CHECK(largest_difference(sum, Amf::deformation(strain, expected, 7.3)) == 0);
+  CHECK(largest_difference(sum, strain) > 0);
+}
+
 void test_radius()
 {
   const Waving w(3);
@@ -467,6 +547,12 @@ int main()
   test_collapsed_frames();
   test_numbers_of_frames<double>();
   test_numbers_of_frames<float>();
+  test_angles<double>();
+  test_angles<float>();
+  test_instructions<double, Amf::Mean_curvature_density>();
+  test_instructions<double, Amf::Mean_dihedral_angle>();
+  test_instructions<float, Amf::Mean_curvature_density>();
+  test_instructions<float, Amf::Mean_dihedral_angle>();
   test_radius();
   return test_result();
 }

@@ -77,8 +77,7 @@ Eigen::MatrixXd solved(const Ai::Supernodes& supernodes, const Ai::Supernodal_fa
     return x[(c / lanes * (n + 1) + supernodes.position()[i]) * lanes + c % lanes];
   };
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t c = 0; c < lanes * lines; ++c)
-      at(i, c) = T(b(Eigen::Index(i), Eigen::Index(c) % b.cols()));
+    for (std::size_t c = 0; c < lanes * lines; ++c) at(i, c) = T(b(Eigen::Index(i), Eigen::Index(c) % b.cols()));
   Ai::Solve_kernel<T> kernel{&supernodes, factor.values(), x.data(), lines};
   Ai::run_reproducibly<T>(instructions, kernel);
   Eigen::MatrixXd result(b.rows(), b.cols());

@@ -364,6 +364,43 @@ void test_user_measures()
     }
 }
 
+// A measure of the user's that takes Eigen arrays, as the concept has it, which those of the library need not be given.
+template <class Measure>
+struct With_arrays : Measure
+{
+};
+
+// The same bits with any vector instructions, and through Eigen arrays where all operations are exactly rounded.
+template <class FT, class Measure>
+void test_instructions(double difference_of_arrays)
+{
+  namespace Ai = Amf::internal;
+  const Waving w(35);
+  const Mesh mesh = mesh_of(w.rest);
+  const auto sequence = sequence_of<FT>(mesh, w.rest.points, w.frames);
+  Amf::Default_visitor visitor;
+  const Ai::Task_loop<CGAL::Sequential_tag, Amf::Default_visitor> loop(visitor, Amf::Stage::STRAIN);
+  const auto strains = [&](const auto& measure, Ai::Instruction_set instructions) {
+    return Ai::triangle_strain_rows(sequence.flat_animation(), measure, loop, instructions);
+  };
+  const auto means = [&](Ai::Instruction_set instructions) {
+    return Ai::vertex_strain_rows(sequence.flat_animation(), Measure(), Amf::Triangle_weights::REST_AREA, loop,
+                                  instructions);
+  };
+  const auto baseline = strains(Measure(), Ai::Instruction_set::BASELINE);
+  const auto widest = Ai::widest_instruction_set();
+  CHECK(same_bits(baseline, strains(Measure(), widest), w.frames.size()));
+  CHECK(same_bits(means(Ai::Instruction_set::BASELINE), means(widest), w.frames.size()));
+  const auto arrays = strains(With_arrays<Measure>(), widest);
+  double worst = 0;
+  for (std::size_t t = 0; t < arrays.number_of_rows(); ++t)
+    for (std::size_t f = 0; f < w.frames.size(); ++f) {
+      const double difference = std::abs(double(arrays(t, f)) - double(baseline(t, f)));
+      if (!(difference <= worst)) worst = difference;
+    }
+  CHECK(worst <= difference_of_arrays);
+}
+
 void test_float()
 {
   const Waving w(12);
@@ -407,6 +444,14 @@ int main()
   test_degenerate_rest_triangles();
   test_vertex_means();
   test_user_measures();
+  test_instructions<double, Amf::Hencky_strain>(1e-14); // logarithms of their own
+  test_instructions<double, Amf::Green_lagrange_strain>(0);
+  test_instructions<double, Amf::Principal_stretch_strain>(0);
+  test_instructions<double, Amf::Largest_eigenvalue_strain>(0);
+  test_instructions<float, Amf::Hencky_strain>(1e-6); // Eigen's roots of floats are not exactly rounded
+  test_instructions<float, Amf::Green_lagrange_strain>(4e-6);
+  test_instructions<float, Amf::Principal_stretch_strain>(1e-6);
+  test_instructions<float, Amf::Largest_eigenvalue_strain>(0);
   test_float();
   test_numbers_of_frames<double>();
   test_numbers_of_frames<float>();

@@ -100,6 +100,35 @@ struct Mean_dihedral_angle
 
 /// @}
 
+namespace internal {
+
+template <>
+struct Takes_lanes<Mean_curvature_density> : std::true_type
+{
+};
+template <>
+struct Takes_lanes<Mean_dihedral_angle> : std::true_type
+{
+};
+
+// Which denominators are not always zero, hence have to be kept and added.
+template <class Measure>
+struct Denominators
+{
+  static constexpr bool of_edges = true, of_triangles = true;
+};
+template <>
+struct Denominators<Mean_curvature_density>
+{
+  static constexpr bool of_edges = false, of_triangles = true;
+};
+template <>
+struct Denominators<Mean_dihedral_angle>
+{
+  static constexpr bool of_edges = true, of_triangles = false;
+};
+
+} // namespace internal
 } // namespace Animated_mesh_features
 } // namespace CGAL
 

@@ -73,9 +73,7 @@ public:
   /// smooths all frames from level `k` - 1 (the unsmoothed field for `k` = 0) to level `k`.
   /// \throw Numerical_error if the factorisation fails.
   template <class Loop>
-  void operator()(std::size_t k,
-                  const Spatio_temporal_field<double>& in,
-                  Spatio_temporal_field<double>& out,
+  void operator()(std::size_t k, const Spatio_temporal_field<double>& in, Spatio_temporal_field<double>& out,
                   const Loop& loop)
   {
     if (variance_step(k) == 0) {
@@ -148,18 +146,16 @@ private:
       Factor& factor = m_factors[levels[i]];
       const double t = time_step(levels[i]);
       if (needs_double_precision(levels[i]))
-        factor.precise = std::make_shared<internal::Supernodal_factor<double>>(m_system->factor<double>(t, instructions));
+        factor.precise =
+            std::make_shared<internal::Supernodal_factor<double>>(m_system->factor<double>(t, instructions));
       else
         factor.single = std::make_shared<internal::Supernodal_factor<float>>(m_system->factor<float>(t, instructions));
     });
   }
 
   template <class T, class Loop>
-  void step(std::size_t k,
-            const internal::Supernodal_factor<T>& factor,
-            const Spatio_temporal_field<double>& in,
-            Spatio_temporal_field<double>& out,
-            const Loop& loop) const
+  void step(std::size_t k, const internal::Supernodal_factor<T>& factor, const Spatio_temporal_field<double>& in,
+            Spatio_temporal_field<double>& out, const Loop& loop) const
   {
     typedef internal::Aligned_vector<T> Workspace;
     const internal::Instruction_set instructions = internal::widest_instruction_set();
@@ -167,8 +163,7 @@ private:
     const std::size_t n = in.number_of_rows();
     loop.part(0, 2)((n + vertices_per_task - 1) / vertices_per_task, [&](std::size_t task) {
       const std::size_t first = task * vertices_per_task;
-      internal::Heat_source source{
-          *m_system, time_step(k), in, out, first, (std::min)(n, first + vertices_per_task)};
+      internal::Heat_source source{*m_system, time_step(k), in, out, first, (std::min)(n, first + vertices_per_task)};
       internal::run_reproducibly<double>(instructions, source);
     });
     const internal::Heat_step<T> prototype{*m_system, factor, in, out};

@@ -9,8 +9,9 @@
 
 #include <CGAL/Animated_mesh_features/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
-
-#include <Eigen/Core>
+#include <CGAL/Animated_mesh_features/internal/Lanes.h>
+#include <CGAL/Animated_mesh_features/internal/run_in_chunks.h>
+#include <CGAL/Animated_mesh_features/internal/run_vectorized.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +32,7 @@ closed ring: \f$3h^2/7\f$ on a regular triangulation of edge length h. Where the
 \f$s_n(v) = \sum_{j<n} (P^j \Delta)(v)\f$ for the averaging operator P, which `variance(k, v)` returns.
 
 A pass costs one addition for each pair of neighbours and frame. A level of standard deviation \f$\sigma\f$ takes some
-\f$2.3\,(\sigma/h)^2\f$ passes.
+\f$2.3\,(\sigma/h)^2\f$ passes. Memory: another field, if there is more than one pass between two levels.
 */
 class One_ring_average_filter
 {
@@ -87,28 +88,53 @@ public:
   operator()(std::size_t k, const Spatio_temporal_field<FT>& in, Spatio_temporal_field<FT>& out, const Loop& loop) const
   {
     const std::size_t passes = m_counts[k] - (k > 0 ? m_counts[k - 1] : 0);
-    out = in;
-    Spatio_temporal_field<FT> previous(passes > 0 ? in.number_of_rows() : 0, in.number_of_frames());
+    if (passes == 0) {
+      out = in;
+      return;
+    }
+    // to and fro between `out`, where the last pass ends, and another field
+    Spatio_temporal_field<FT> other(passes > 1 ? in.number_of_rows() : 0, in.number_of_frames());
     for (std::size_t i = 0; i < passes; ++i) {
-      previous.swap(out);
-      loop.part(i, passes)(in.number_of_rows(), [&](std::size_t v) { average(previous, v, out); });
+      const bool to_out = (passes - i) % 2 == 1;
+      const Spatio_temporal_field<FT>& from = i == 0 ? in : to_out ? other : out;
+      Spatio_temporal_field<FT>& to = to_out ? out : other;
+      internal::run_in_chunks(in.number_of_rows(), loop.part(i, passes), [&](std::size_t first, std::size_t last) {
+        Pass<FT> pass{*m_shape, from, to, first, last};
+        internal::run_reproducibly<FT>(internal::widest_instruction_set(), pass);
+      });
     }
   }
 
 private:
+  // The averages at vertices [first, last).
   template <class FT>
-  void average(const Spatio_temporal_field<FT>& in, std::size_t v, Spatio_temporal_field<FT>& out) const
+  struct Pass
   {
-    const auto ring = m_shape->neighbours()[v];
-    typedef Eigen::Array<FT, Eigen::Dynamic, 1> Row;
-    const auto row = [&](std::size_t w) {
-      return Eigen::Map<const Row, Eigen::Aligned64>(in.row(w), Eigen::Index(in.stride()));
-    };
-    Eigen::Map<Row, Eigen::Aligned64> sum(out.row(v), Eigen::Index(out.stride()));
-    sum = row(v);
-    for (Rest_shape::Index w : ring) sum += row(w);
-    sum *= FT(1) / FT(ring.size() + 1);
-  }
+    const Rest_shape& shape;
+    const Spatio_temporal_field<FT>& in;
+    Spatio_temporal_field<FT>& out;
+    std::size_t first, last;
+
+    template <std::size_t register_bytes>
+    CGAL_ANIMATED_MESH_FEATURES_INLINE void run()
+    {
+      constexpr std::size_t line = 64 / sizeof(FT); // rows are whole cache lines
+      for (std::size_t v = first; v < last; ++v) {
+        std::size_t f = 0;
+        for (; f + 2 * line <= in.stride(); f += 2 * line) average<internal::Lanes<FT, 2 * line, register_bytes>>(v, f);
+        if (f < in.stride()) average<internal::Lanes<FT, line, register_bytes>>(v, f);
+      }
+    }
+
+    template <class L>
+    CGAL_ANIMATED_MESH_FEATURES_INLINE void average(std::size_t v, std::size_t f)
+    {
+      const Compressed_rows::Row ring = shape.neighbours()[v];
+      L sum = L::load(in.row(v) + f);
+      for (Rest_shape::Index w : ring) sum = sum + L::load(in.row(w) + f);
+      (sum * (FT(1) / FT(ring.size() + 1))).store(out.row(v) + f);
+    }
+  };
 
   static std::vector<double> added_variance(const Rest_shape& shape)
   {

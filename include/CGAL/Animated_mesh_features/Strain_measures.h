@@ -7,10 +7,14 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_STRAIN_MEASURES_H
 #define CGAL_ANIMATED_MESH_FEATURES_STRAIN_MEASURES_H
 
+#include <CGAL/Animated_mesh_features/internal/lane_math.h>
+
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <type_traits>
 
 namespace CGAL {
 namespace Animated_mesh_features {
@@ -34,6 +38,20 @@ template <class Scalar, int N>
 struct Constant<Eigen::Array<Scalar, N, 1>>
 {
   static Eigen::Array<Scalar, N, 1> of(double c) { return Eigen::Array<Scalar, N, 1>::Constant(Scalar(c)); }
+};
+template <class Scalar, std::size_t n, std::size_t b>
+struct Constant<Lanes<Scalar, n, b>>
+{
+  static CGAL_ANIMATED_MESH_FEATURES_INLINE Lanes<Scalar, n, b> of(double c)
+  {
+    return Lanes<Scalar, n, b>::all(Scalar(c));
+  }
+};
+
+// Whether a measure takes lanes, too: those of the library.
+template <class Measure>
+struct Takes_lanes : std::false_type
+{
 };
 
 } // namespace internal
@@ -117,6 +135,26 @@ struct Largest_eigenvalue_strain
 
 /// @}
 
+namespace internal {
+
+template <>
+struct Takes_lanes<Hencky_strain> : std::true_type
+{
+};
+template <>
+struct Takes_lanes<Green_lagrange_strain> : std::true_type
+{
+};
+template <>
+struct Takes_lanes<Principal_stretch_strain> : std::true_type
+{
+};
+template <>
+struct Takes_lanes<Largest_eigenvalue_strain> : std::true_type
+{
+};
+
+} // namespace internal
 } // namespace Animated_mesh_features
 } // namespace CGAL
 

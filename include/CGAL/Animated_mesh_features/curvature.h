@@ -88,30 +88,6 @@ Spatio_temporal_field<typename Animation::FT> curvature(const Animation& animati
                                   internal::Task_loop<ConcurrencyTag, Default_visitor>(visitor, Stage::CURVATURE));
 }
 
-namespace internal {
-
-template <class FT, class Measure, class Loop>
-Spatio_temporal_field<FT> curvature_change_rows(const Flat_animation<FT>& animation,
-                                                const Compressed_rows& balls,
-                                                const Measure& measure,
-                                                const Loop& loop)
-{
-  typedef Frame_block<FT> Block;
-  const std::size_t blocks = Block::number_of_blocks(animation.number_of_frames());
-  // the rest shape is a block as well
-  const Spatio_temporal_field<FT> rest =
-      curvature_rows(rest_as_animation<FT>(animation.rest), balls, measure, loop.part(0, blocks + 1));
-  Spatio_temporal_field<FT> field(animation.number_of_vertices(), animation.number_of_frames());
-  Curvature_block<FT, Measure> sums(animation, balls, measure);
-  for (std::size_t b = 0; b < blocks; ++b)
-    sums.run(b, loop.part(b + 1, blocks + 1), [&](std::size_t v, const typename Block::Array& k) {
-      Block::at(field, v, b) = (k - rest(v, 0)).abs();
-    });
-  return field;
-}
-
-} // namespace internal
-
 /*!
 \ingroup PkgAnimatedMeshFeaturesMeasures
 

@@ -10,8 +10,11 @@
 #include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/Strain_measures.h>
 #include <CGAL/Animated_mesh_features/Visitor.h>
+#include <CGAL/Animated_mesh_features/internal/Aligned_vector.h>
 #include <CGAL/Animated_mesh_features/internal/Animation_access.h>
 #include <CGAL/Animated_mesh_features/internal/parallel_for.h>
+#include <CGAL/Animated_mesh_features/internal/run_in_chunks.h>
+#include <CGAL/Animated_mesh_features/internal/run_vectorized.h>
 #include <CGAL/Animated_mesh_features/internal/strain_rows.h>
 
 #include <cstddef>
@@ -33,75 +36,67 @@ enum class Triangle_weights
 
 namespace internal {
 
-// The strain of every triangle in the frames of one block. Degenerate rest triangles: 0; their weight is 0 as well.
+// The strains of all triangles in the frames of one block; `strains` is that of triangle 0, others follow by `stride`.
 template <class FT, class Measure, class Loop>
 void triangle_strains(const Flat_animation<FT>& animation,
                       const std::vector<Rest_triangle>& rest,
                       std::size_t block,
                       const Measure& measure,
+                      Instruction_set instructions,
                       const Loop& loop,
-                      std::vector<typename Frame_block<FT>::Array>& strains)
+                      FT* strains,
+                      std::size_t stride)
 {
-  loop(rest.size(), [&](std::size_t t) {
-    if (rest[t].inverse_height > 0)
-      strains[t] = strain_block(animation, rest[t], t, block, measure);
-    else
-      strains[t].setZero();
+  run_in_chunks(rest.size(), loop, [&](std::size_t first, std::size_t last) {
+    Strain_kernel<FT, Measure> kernel{animation.rest, rest,   measure, Position_rows<FT>(animation, block),
+                                      strains,        stride, first,   last};
+    run_reproducibly<FT>(instructions, kernel);
   });
-}
-
-// inverse_height = 0 marks a degenerate triangle
-inline std::vector<Rest_triangle> rest_triangles(const Rest_shape& shape)
-{
-  std::vector<Rest_triangle> rest(shape.triangles().size(), Rest_triangle{0, 0, 0});
-  for (std::size_t t = 0; t < rest.size(); ++t)
-    if (!is_degenerate(shape, t)) rest[t] = rest_triangle(shape, t);
-  return rest;
 }
 
 template <class FT, class Measure, class Loop>
 Spatio_temporal_field<FT> triangle_strain_rows(const Flat_animation<FT>& animation,
                                                const Measure& measure,
-                                               const Loop& loop)
+                                               const Loop& loop,
+                                               Instruction_set instructions = widest_instruction_set())
 {
-  typedef Frame_block<FT> Block;
+  typedef Frame_lanes<FT> Block;
   const std::vector<Rest_triangle> rest = rest_triangles(animation.rest);
   Spatio_temporal_field<FT> field(rest.size(), animation.number_of_frames());
-  std::vector<typename Block::Array> strains(rest.size());
   const std::size_t blocks = Block::number_of_blocks(animation.number_of_frames());
-  for (std::size_t b = 0; b < blocks; ++b) {
-    triangle_strains(animation, rest, b, measure, loop.part(b, blocks), strains);
-    for (std::size_t t = 0; t < rest.size(); ++t) Block::at(field, t, b) = strains[t];
-  }
+  for (std::size_t b = 0; b < blocks; ++b)
+    triangle_strains(animation, rest, b, measure, instructions, loop.part(b, blocks), field.row(0) + b * Block::size,
+                     field.stride());
   return field;
 }
 
+// Memory besides the field: a cache line for each triangle.
 template <class FT, class Measure, class Loop>
 Spatio_temporal_field<FT> vertex_strain_rows(const Flat_animation<FT>& animation,
                                              const Measure& measure,
                                              Triangle_weights weights,
-                                             const Loop& loop)
+                                             const Loop& loop,
+                                             Instruction_set instructions = widest_instruction_set())
 {
-  typedef Frame_block<FT> Block;
+  typedef Frame_lanes<FT> Block;
   const Rest_shape& shape = animation.rest;
   const std::vector<Rest_triangle> rest = rest_triangles(shape);
-  const auto weight = [&](std::size_t t) {
-    if (!(rest[t].inverse_height > 0)) return 0.;
-    return weights == Triangle_weights::UNIFORM ? 1. : shape.areas()[t];
-  };
+  // relative to the mean, as areas may be beyond the range of float
+  double mean_area = 0;
+  for (double area : shape.areas()) mean_area += area / double(rest.size());
+  std::vector<FT> weight(rest.size(), FT(0));
+  for (std::size_t t = 0; t < rest.size(); ++t)
+    if (rest[t].inverse_height > 0)
+      weight[t] = weights == Triangle_weights::UNIFORM ? FT(1) : FT(shape.areas()[t] / mean_area);
   Spatio_temporal_field<FT> field(animation.number_of_vertices(), animation.number_of_frames());
-  std::vector<typename Block::Array> strains(rest.size());
+  Aligned_vector<FT> strains(rest.size() * Block::size);
   const std::size_t blocks = Block::number_of_blocks(animation.number_of_frames());
   for (std::size_t b = 0; b < blocks; ++b) {
-    triangle_strains(animation, rest, b, measure, loop.part(2 * b, 2 * blocks), strains);
-    loop.part(2 * b + 1, 2 * blocks)(field.number_of_rows(), [&](std::size_t v) {
-      typename Block::Array sum = Block::Array::Zero();
-      double total = 0;
-      for (Rest_shape::Index t : shape.incident_triangles()[v]) {
-        sum += strains[t] * FT(weight(t));
-        total += weight(t);
-      }
-      if (total > 0) Block::at(field, v, b) = sum * FT(1 / total);
+    triangle_strains(animation, rest, b, measure, instructions, loop.part(2 * b, 2 * blocks), strains.data(),
+                     Block::size);
+    run_in_chunks(field.number_of_rows(), loop.part(2 * b + 1, 2 * blocks), [&](std::size_t first, std::size_t last) {
+      Strain_mean_kernel<FT> kernel{shape, weight, strains.data(), field, b, first, last};
+      run_reproducibly<FT>(instructions, kernel);
     });
   }
   return field;

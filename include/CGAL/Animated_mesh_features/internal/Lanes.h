@@ -82,9 +82,15 @@ struct alignas(register_bytes) Lanes // said again, since g++ forgets it of the 
 
   static CGAL_ANIMATED_MESH_FEATURES_INLINE Lanes all(T value)
   {
+    // by integers: with -frounding-math, a sum with zero is a sum at run time
+    typedef std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t> Integer;
+    Integer bits;
+    std::memcpy(&bits, &value, sizeof(T));
+    const typename Register<Integer, register_bytes>::type all_bits =
+        typename Register<Integer, register_bytes>::type{} | bits;
     Lanes result;
     CGAL_ANIMATED_MESH_FEATURES_UNROLL
-    for (std::size_t i = 0; i < registers; ++i) result.r[i] = value - Register_type{};
+    for (std::size_t i = 0; i < registers; ++i) std::memcpy(&result.r[i], &all_bits, register_bytes);
     return result;
   }
   // No alignment needed. Register by register: g++ 12 copies larger objects by 16 bytes, through the stack.

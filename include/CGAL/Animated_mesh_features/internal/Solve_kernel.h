@@ -67,10 +67,17 @@ private:
     std::size_t j = 0;
     for (; j + tile <= width; j += tile) l = forward_rows<L, tile>(l, own, j);
     switch (width - j) {
-    case 1: l = forward_rows<L, 1>(l, own, j); break;
-    case 2: l = forward_rows<L, 2>(l, own, j); break;
-    case 3: l = forward_rows<L, 3>(l, own, j); break;
-    default: break;
+    case 1:
+      l = forward_rows<L, 1>(l, own, j);
+      break;
+    case 2:
+      l = forward_rows<L, 2>(l, own, j);
+      break;
+    case 3:
+      l = forward_rows<L, 3>(l, own, j);
+      break;
+    default:
+      break;
     }
     const Supernodes::Index* rows = supernodes->rows(p);
     const std::size_t below = Supernodes::number_of_tiles(p.height);
@@ -107,10 +114,17 @@ private:
   {
     std::size_t j = (p.width - 1) / tile * tile;
     switch (p.width - j) {
-    case 1: backward_columns<L, 1>(p, to, j); break;
-    case 2: backward_columns<L, 2>(p, to, j); break;
-    case 3: backward_columns<L, 3>(p, to, j); break;
-    default: backward_columns<L, 4>(p, to, j);
+    case 1:
+      backward_columns<L, 1>(p, to, j);
+      break;
+    case 2:
+      backward_columns<L, 2>(p, to, j);
+      break;
+    case 3:
+      backward_columns<L, 3>(p, to, j);
+      break;
+    default:
+      backward_columns<L, 4>(p, to, j);
     }
     for (; j > 0; j -= tile) backward_columns<L, 4>(p, to, j - tile);
   }

@@ -8,11 +8,10 @@
 #define CGAL_ANIMATED_MESH_FEATURES_INTERNAL_SUPERNODAL_FACTOR_H
 
 #include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/internal/Aligned_vector.h>
 #include <CGAL/Animated_mesh_features/internal/Front_kernel.h>
 #include <CGAL/Animated_mesh_features/internal/Supernodes.h>
 #include <CGAL/Animated_mesh_features/internal/run_vectorized.h>
-
-#include <boost/align/aligned_allocator.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,10 +20,6 @@
 namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
-
-// Numbers that start at a cache line.
-template <class T>
-using Aligned_vector = std::vector<T, boost::alignment::aligned_allocator<T, 64>>;
 
 // The Cholesky factor L of a symmetric positive definite matrix, in the panels of Supernodes, by the multifrontal
 // method; J. W. H. Liu, The multifrontal method for sparse matrix solution: theory and practice, SIAM Review 34(1), 1992.

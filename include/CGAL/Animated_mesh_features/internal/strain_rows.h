@@ -8,10 +8,14 @@
 #define CGAL_ANIMATED_MESH_FEATURES_INTERNAL_STRAIN_ROWS_H
 
 #include <CGAL/Animated_mesh_features/Animation_report.h>
+#include <CGAL/Animated_mesh_features/Strain_measures.h>
 #include <CGAL/Animated_mesh_features/internal/Flat_animation.h>
-#include <CGAL/Animated_mesh_features/internal/Frame_block.h>
+#include <CGAL/Animated_mesh_features/internal/Vector_lanes.h>
+#include <CGAL/Animated_mesh_features/internal/lane_math.h>
+#include <CGAL/Animated_mesh_features/internal/run_vectorized.h>
 
-#include <limits>
+#include <algorithm>
+#include <cstddef>
 #include <type_traits>
 #include <vector>
 
@@ -20,19 +24,24 @@ namespace Animated_mesh_features {
 namespace internal {
 
 // A rest triangle in its own plane: the edges from its first corner are (length, 0) and (shift, height) there. Kept in
-// the form in which the inverse of that 2 x 2 matrix is applied.
+// the form in which the inverse of that 2 x 2 matrix is applied. inverse_height = 0 marks a degenerate triangle.
 struct Rest_triangle
 {
   double inverse_length, shift, inverse_height;
 };
 
-inline Rest_triangle rest_triangle(const Rest_shape& shape, std::size_t t)
+inline std::vector<Rest_triangle> rest_triangles(const Rest_shape& shape)
 {
-  const Rest_shape::Triangle& c = shape.triangles()[t];
-  const Rest_shape::Point e = shape.points()[c[1]] - shape.points()[c[0]];
-  const Rest_shape::Point g = shape.points()[c[2]] - shape.points()[c[0]];
-  const double length = e.norm();
-  return {1 / length, e.dot(g) / length, length / (2 * shape.areas()[t])};
+  std::vector<Rest_triangle> rest(shape.triangles().size(), Rest_triangle{0, 0, 0});
+  for (std::size_t t = 0; t < rest.size(); ++t) {
+    if (is_degenerate(shape, t)) continue;
+    const Rest_shape::Triangle& c = shape.triangles()[t];
+    const Rest_shape::Point e = shape.points()[c[1]] - shape.points()[c[0]];
+    const Rest_shape::Point g = shape.points()[c[2]] - shape.points()[c[0]];
+    const double length = e.norm();
+    rest[t] = {1 / length, e.dot(g) / length, length / (2 * shape.areas()[t])};
+  }
+  return rest;
 }
 
 // lambda is clamped from below, so that a triangle that collapses in a frame has a large strain, not an infinite one
@@ -47,43 +56,89 @@ struct Is_vectorized<Measure, std::enable_if_t<Measure::vectorized>> : std::true
 {
 };
 
-template <class Array, class Measure>
-Array strain_of_stretches(const Measure& measure, const Array& lambda_1, const Array& lambda_2)
+template <class L, class Measure>
+CGAL_ANIMATED_MESH_FEATURES_INLINE L strain_of_stretches(const Measure& measure, const L& lambda_1, const L& lambda_2)
 {
-  if constexpr (Is_vectorized<Measure>::value) {
+  if constexpr (Takes_lanes<Measure>::value) {
     return measure(lambda_1, lambda_2);
+  } else if constexpr (Is_vectorized<Measure>::value) {
+    return call_with_arrays<L>(measure, lambda_1, lambda_2);
   } else {
-    Array strain;
-    for (int i = 0; i < strain.size(); ++i) strain[i] = measure(lambda_1[i], lambda_2[i]);
-    return strain;
+    typename L::Scalar a[L::size], b[L::size];
+    lambda_1.store(a);
+    lambda_2.store(b);
+    for (std::size_t i = 0; i < L::size; ++i) a[i] = measure(a[i], b[i]);
+    return L::load(a);
   }
 }
 
-// The strain of triangle t in the frames of a block. J = [j1 j2] maps the plane of the rest triangle into space,
-// C = J^T J = [a b; b c]; its eigenvalues are the squared principal stretches. (a - c) / 2 and det C = |j1 x j2|^2 keep
-// their digits near the rest shape and for slivers, where trace^2 / 4 - det has none left.
+// The strains of triangles [first, last) in the frames of a block, for run_reproducibly(). J = [j1 j2] maps the plane of
+// the rest triangle into space, C = J^T J = [a b; b c]; its eigenvalues are the squared principal stretches. (a - c) / 2
+// and det C = |j1 x j2|^2 keep their digits near the rest shape and for slivers, where trace^2 / 4 - det has none left.
 template <class FT, class Measure>
-typename Frame_block<FT>::Array strain_block(const Flat_animation<FT>& animation,
-                                             const Rest_triangle& rest,
-                                             std::size_t t,
-                                             std::size_t block,
-                                             const Measure& measure)
+struct Strain_kernel
 {
-  typedef typename Frame_block<FT>::Array Array;
-  const Rest_shape::Triangle& corners = animation.rest.triangles()[t];
-  const Vector_block<FT> j1 = difference(animation, corners[0], corners[1], block, FT(rest.inverse_length));
-  const Vector_block<FT> g = difference(animation, corners[0], corners[2], block, FT(1));
-  const FT s = FT(rest.shift), i = FT(rest.inverse_height);
-  const Vector_block<FT> j2 = {(g.x - s * j1.x) * i, (g.y - s * j1.y) * i, (g.z - s * j1.z) * i};
-  const Array a = j1.dot(j1), b = j1.dot(j2), c = j2.dot(j2);
-  const Vector_block<FT> n = j1.cross(j2);
-  const Array half_difference = (a - c) * FT(0.5);
-  const FT least = FT(smallest_squared_stretch);
-  const Array lambda_1 =
-      ((a + c) * FT(0.5) + (half_difference * half_difference + b * b).sqrt()).max(least);
-  const Array lambda_2 = (n.dot(n) / lambda_1).max(least);
-  return strain_of_stretches<Array>(measure, lambda_1, lambda_2);
-}
+  const Rest_shape& shape;
+  const std::vector<Rest_triangle>& rest;
+  const Measure& measure;
+  Position_rows<FT> positions;
+  FT* strains;        // of triangle 0
+  std::size_t stride; // from a triangle to the next
+  std::size_t first, last;
+
+  template <std::size_t register_bytes>
+  CGAL_ANIMATED_MESH_FEATURES_INLINE void run()
+  {
+    typedef Lanes<FT, Frame_lanes<FT>::size, register_bytes> L;
+    typedef Vector_lanes<L> Vector;
+    const L least = L::all(FT(smallest_squared_stretch));
+    for (std::size_t t = first; t < last; ++t) {
+      FT* to = strains + t * stride;
+      if (!(rest[t].inverse_height > 0)) {
+        std::fill_n(to, L::size, FT(0)); // its weight is 0 as well
+        continue;
+      }
+      const Rest_shape::Triangle& corners = shape.triangles()[t];
+      const Vector origin = Vector::load(positions, corners[0]);
+      const Vector j1 = (Vector::load(positions, corners[1]) - origin) * FT(rest[t].inverse_length);
+      const Vector g = Vector::load(positions, corners[2]) - origin;
+      const Vector j2 = (g - j1 * FT(rest[t].shift)) * FT(rest[t].inverse_height);
+      const L a = j1.dot(j1), b = j1.dot(j2), c = j2.dot(j2);
+      const Vector n = j1.cross(j2);
+      const L half_difference = (a - c) * FT(0.5);
+      const L lambda_1 = maximum((a + c) * FT(0.5) + sqrt(half_difference * half_difference + b * b), least);
+      const L lambda_2 = maximum(n.dot(n) / lambda_1, least);
+      strain_of_stretches(measure, lambda_1, lambda_2).store(to);
+    }
+  }
+};
+
+// The weighted means of the strains around vertices [first, last) in the frames of a block, for run_reproducibly().
+template <class FT>
+struct Strain_mean_kernel
+{
+  const Rest_shape& shape;
+  const std::vector<FT>& weights; // of triangles
+  const FT* strains;              // a cache line for each triangle
+  Spatio_temporal_field<FT>& field;
+  std::size_t block;
+  std::size_t first, last;
+
+  template <std::size_t register_bytes>
+  CGAL_ANIMATED_MESH_FEATURES_INLINE void run()
+  {
+    typedef Lanes<FT, Frame_lanes<FT>::size, register_bytes> L;
+    for (std::size_t v = first; v < last; ++v) {
+      L sum = L::all(0);
+      FT total = 0;
+      for (Rest_shape::Index t : shape.incident_triangles()[v]) {
+        sum = sum + L::load(strains + t * L::size) * weights[t];
+        total += weights[t];
+      }
+      if (total > 0) (sum * (1 / total)).store(field.row(v) + block * L::size);
+    }
+  }
+};
 
 } // namespace internal
 } // namespace Animated_mesh_features
