@@ -21,6 +21,7 @@ function(animated_mesh_features_set_up target)
     target_compile_options(${target} PRIVATE
       -fsanitize=${ANIMATED_MESH_FEATURES_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer -g1)
     target_link_options(${target} PRIVATE -fsanitize=${ANIMATED_MESH_FEATURES_SANITIZE})
+    target_compile_definitions(${target} PRIVATE CGAL_ANIMATED_MESH_FEATURES_BASELINE_ONLY)
     if(ANIMATED_MESH_FEATURES_SANITIZE MATCHES "undefined")
       # CGAL 5.5's Eigen_sparse_matrix::swap(), in the heat method, swaps a bool that has no value yet.
       target_compile_options(${target} PRIVATE -fno-sanitize=bool)

@@ -253,7 +253,7 @@ private:
       if (compares) {
         v["minima"] = double(agreement(converted(minima), {}).strong);
         std::vector<Naive::Minimum> certain;
-        const double rounding = std::numeric_limits<float>::epsilon() * largest_value();
+        const double rounding = std::ldexp(1., -30) * largest_value();
         std::copy_if(minima.begin(), minima.end(), std::back_inserter(certain), [&](const Naive::Minimum& m) {
           return -m.response > rounding * (r.space_weight(m.k, m.l) + r.time_weight(m.k, m.l));
         });

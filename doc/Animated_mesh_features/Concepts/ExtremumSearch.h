@@ -15,8 +15,8 @@ about.
 A sample that is accepted is refined between samples as a minimum. Its strength is the negative of its response, so that
 samples with a positive response do not become features.
 
-A sample whose response is within the rounding of single precision, \f$2^{-23} (|a| + |b|) \max|d|\f$ for the weights a
-and b of the response and the field d, is none, whatever a model says.
+A sample whose response is at most \f$2^{-30} (|a| + |b|) \max|d|\f$, for the weights a and b of the response and the field
+d, is none, whatever a model says: a hundredth of what single precision rounds.
 
 A model is copy-constructible. Its functions are called from several threads at the same time, with `double` as `FT`.
 

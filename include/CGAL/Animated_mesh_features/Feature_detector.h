@@ -38,8 +38,9 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesRef
 
-The detector for repeated use. What was computed is kept: the geodesic balls, the three fields, and all minima of the
-response with their refined places. Asking again with another threshold costs next to nothing.
+The detector for repeated use. What was asked for is kept, with what it needed: the geodesic balls, the fields, all minima
+of the response with their refined places. (Strain and change of curvature only if they were asked for themselves.)
+Asking again with another threshold costs next to nothing.
 
 \tparam Animation a model of `MeshAnimation`. It is kept by reference.
 \tparam Options a `Detection_options`.
@@ -81,11 +82,7 @@ public:
   template <class Visitor>
   const Field& strain(Visitor& visitor)
   {
-    if (!m_strain) {
-      const internal::Stage_scope<Visitor> stage(visitor, Stage::STRAIN);
-      m_strain = internal::vertex_strain_rows(animation(), m_options.strain, m_options.triangle_weights,
-                                              loop(visitor, Stage::STRAIN));
-    }
+    if (!m_strain) m_strain = strain_rows(visitor);
     return *m_strain;
   }
 
@@ -107,12 +104,17 @@ public:
   const Field& deformation(Visitor& visitor)
   {
     if (!m_deformation) {
-      // a weight of zero spares the balls
-      if (m_options.alpha == 0)
+      if (m_options.alpha == 0) { // spares the balls
         m_deformation = strain(visitor);
-      else {
-        const Field& change = curvature_change(visitor);
-        m_deformation = Animated_mesh_features::deformation(strain(visitor), change, m_options.alpha);
+      } else if (m_curvature_change) {
+        m_deformation = Animated_mesh_features::deformation(strain(visitor), *m_curvature_change, m_options.alpha);
+      } else {
+        const Compressed_rows& balls = geodesic_balls(visitor);
+        Field sum = m_strain ? *m_strain : strain_rows(visitor);
+        const internal::Stage_scope<Visitor> stage(visitor, Stage::CURVATURE);
+        internal::add_curvature_change(animation(), balls, m_options.curvature, m_options.alpha,
+                                       loop(visitor, Stage::CURVATURE), sum);
+        m_deformation = std::move(sum);
       }
     }
     return *m_deformation;
@@ -192,6 +194,14 @@ private:
   static internal::Task_loop<ConcurrencyTag, Visitor> loop(Visitor& visitor, Stage stage)
   {
     return internal::Task_loop<ConcurrencyTag, Visitor>(visitor, stage);
+  }
+
+  template <class Visitor>
+  Field strain_rows(Visitor& visitor) const
+  {
+    const internal::Stage_scope<Visitor> stage(visitor, Stage::STRAIN);
+    return internal::vertex_strain_rows(animation(), m_options.strain, m_options.triangle_weights,
+                                        loop(visitor, Stage::STRAIN));
   }
 
   void check_selection() const

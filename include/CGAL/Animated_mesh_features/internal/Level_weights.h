@@ -9,7 +9,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -21,9 +20,9 @@ class Level_weights
 {
 public:
   // The share of the largest response that the weights allow, (|a| + |b|) max |d|, below which a response counts as
-  // zero: the rounding of single precision. Surfaces that rest come with more noise than that once they have been
-  // through a file.
-  static constexpr double noise = std::numeric_limits<float>::epsilon();
+  // zero: a hundredth of the rounding of single precision, in which most animations come. Fields that are constant over
+  // some frames or vertices have minima of rounding errors there.
+  static constexpr double noise = 1. / (1 << 30);
 
   // For space levels [below, space_levels - above), time levels likewise.
   template <class Response>

@@ -12,7 +12,10 @@
 #include <cstddef>
 #include <type_traits>
 
-#if defined(__x86_64__) && defined(CGAL_ANIMATED_MESH_FEATURES_HAS_VECTOR_TYPES)
+// CGAL_ANIMATED_MESH_FEATURES_BASELINE_ONLY leaves out the kernels for other instructions than the program's: they triple
+// the time to compile the search, and more than that under sanitizers, which look at every access that is inlined.
+#if defined(__x86_64__) && defined(CGAL_ANIMATED_MESH_FEATURES_HAS_VECTOR_TYPES) && \
+    !defined(CGAL_ANIMATED_MESH_FEATURES_BASELINE_ONLY)
   #define CGAL_ANIMATED_MESH_FEATURES_CHOOSES_INSTRUCTIONS 1
 #endif
 
