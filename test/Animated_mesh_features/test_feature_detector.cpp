@@ -33,7 +33,7 @@ typedef AMF::Feature_detector<Sequence> Detector;
 typedef std::vector<Detector::Feature> Features;
 using AMF::Stage;
 
-const std::vector<Stage> all_stages = {Stage::GEODESIC_BALLS, Stage::CURVATURE, Stage::STRAIN, Stage::SCALE_SPACE,
+const std::vector<Stage> all_stages = {Stage::GEODESIC_BALLS, Stage::STRAIN, Stage::CURVATURE, Stage::SCALE_SPACE,
                                        Stage::EXTREMA};
 
 bool same(const Features& a, const Features& b)
@@ -117,7 +117,15 @@ private:
   std::size_t m_cancel_call = 0;
 };
 
-void test_progress(const Sequence& sequence, const Features& expected)
+// The calling thread tells between its own tasks: how often depends on how many of them other threads take.
+class Single_thread
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  tbb::global_control m_limit{tbb::global_control::max_allowed_parallelism, 1};
+#endif
+};
+
+void test_progress(const Sequence& sequence, const Features& expected, std::size_t least_calls)
 {
   Detector detector(sequence);
   Recorder recorder;
@@ -127,7 +135,7 @@ void test_progress(const Sequence& sequence, const Features& expected)
   CHECK(!recorder.running());
   CHECK(recorder.order() == all_stages);
   for (Stage stage : all_stages) {
-    CHECK(recorder.calls(stage) >= 12); // 30 on larger meshes
+    CHECK(recorder.calls(stage) >= least_calls);
     CHECK(recorder.fraction(stage) == 1);
   }
 
@@ -147,8 +155,25 @@ void test_progress(const Sequence& sequence, const Features& expected)
   CHECK(one.order() == std::vector<Stage>({Stage::STRAIN, Stage::GEODESIC_BALLS, Stage::CURVATURE}));
 }
 
+// Whatever the other threads do, whoever says no at the first or second call is not asked again.
+void test_parallel_cancellation(const Sequence& sequence, const Features& expected)
+{
+  for (Stage stage : all_stages)
+    for (std::size_t call : {1, 2}) {
+      Detector detector(sequence);
+      Recorder recorder;
+      recorder.cancel_at(stage, call);
+      Features features;
+      CHECK_THROWS(AMF::Cancelled, detector(std::back_inserter(features), recorder), "cancelled");
+      CHECK(features.empty() && !recorder.running());
+      CHECK(recorder.order().back() == stage && recorder.calls(stage) == call);
+      CHECK(same(detect_with(detector), expected));
+    }
+}
+
 void test_cancellation(const Sequence& sequence, const Features& expected)
 {
+  const Single_thread single_thread;
   Recorder complete;
   {
     Detector detector(sequence);
@@ -360,8 +385,13 @@ int main()
   const Features expected = detect_with(detector);
   CHECK(expected.size() == sphere.bumps.size());
 
-  test_progress(sequence, expected);
+  test_progress(sequence, expected, 2); // at the beginning and at the end
+  {
+    const Single_thread single_thread;
+    test_progress(sequence, expected, 12); // 30 on larger meshes
+  }
   test_cancellation(sequence, expected);
+  test_parallel_cancellation(sequence, expected);
   test_reuse(sequence);
   test_own_animation(sphere, mesh, expected);
   test_threads(sequence, expected);

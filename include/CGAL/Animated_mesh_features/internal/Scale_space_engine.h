@@ -268,7 +268,7 @@ private:
         extrema.insert(extrema.end(), std::make_move_iterator(f.begin()), std::make_move_iterator(f.end()));
       next = window_end;
     }
-    loop(0, [](std::size_t) {});
+    loop.finish();
   }
 
   const Rest_shape& m_shape;

@@ -83,6 +83,9 @@ public:
     tell(1);
   }
 
+  // Tells that the whole share is done, for those who do it in parts and leave some out.
+  void finish() const { tell(1); }
+
   // The loop for the i-th of n equal parts of this share.
   Task_loop part(std::size_t i, std::size_t n) const
   {
