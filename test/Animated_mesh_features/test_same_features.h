@@ -157,7 +157,8 @@ public:
     report(std::is_sorted(order.begin(), order.end()) == same_order, __FILE__, __LINE__, name + ": order of vertices");
     const auto sequence = animated(m_sphere, mesh);
     check_same(m_features, detect(m_sphere, sequence), same_order ? 0 : 1e-3, name);
-    check_same(m_features_by_paths, detect(m_sphere, sequence, m_options), same_order ? 0 : 1e-9,
+    // heat diffusion solves in single precision, and eliminates the vertices in another order
+    check_same(m_features_by_paths, detect(m_sphere, sequence, m_options), same_order ? 0 : 1e-6,
                name + ", balls by paths");
   }
 

@@ -83,7 +83,7 @@ Spatio_temporal_field<FT> vertex_strain_rows(const Flat_animation<FT>& animation
   const std::vector<Rest_triangle> rest = rest_triangles(shape);
   // relative to the mean, as areas may be beyond the range of float
   double mean_area = 0;
-  for (double area : shape.areas()) mean_area += area / double(rest.size());
+  for (Rest_shape::Index t : shape.ordered_triangles()) mean_area += shape.areas()[t] / double(rest.size());
   std::vector<FT> weight(rest.size(), FT(0));
   for (std::size_t t = 0; t < rest.size(); ++t)
     if (rest[t].inverse_height > 0)
