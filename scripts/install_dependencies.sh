@@ -14,7 +14,7 @@ case "${1:-}" in
   "") ;;
   --tests)
     packages+=(ninja-build python3)
-    optional+=(ccache libopenmesh-dev clang)
+    optional+=(ccache libopenmesh-dev clang python3-vtk9)
     ;;
   *) die "unknown option: $1" ;;
 esac

@@ -88,7 +88,7 @@ void run(const Command_line& command_line)
   log.begin("reading");
   Memory_plan memory_plan(command_line.memory, command_line.scratch_directory);
   const Animation animation(command_line, [&](std::size_t vertices, std::size_t frames) {
-    memory_plan.decide(vertices, frames, command_line.fields.size());
+    memory_plan.decide(vertices, frames, command_line.extra_fields());
   });
   log.end();
   if (command_line.verbose)
@@ -105,6 +105,8 @@ void run(const Command_line& command_line)
   {
     const Stage_log::Scope stage(log, "writing");
     files.write_features(detection.features, description(command_line, animation, detection));
+    throw_if_interrupted();
+    files.write_scenes(scene(command_line, animation, detection));
     throw_if_interrupted();
     files.commit();
   }

@@ -272,6 +272,8 @@ usage "strain:FILE" c.obj c.pc2 --write-field pressure:x.npy
 usage "same file" c.obj c.pc2 -o x.json -o x.json
 usage "standard output" c.obj c.pc2 -o - -o csv:-
 usage "no name" c.obj c.pc2 -o csv:
+usage "standard output" c.obj c.pc2 --vtk -
+usage "same file" c.obj c.pc2 -o json:x --vtk x
 
 # ----------------------------------------------------------------------------------------------------- every option
 
@@ -455,6 +457,20 @@ check "max(npy('d.npy')[1][::$frames]) < 1e-5"
 expect 0 "" c.obj c.pc2 --alpha 0 --write-field curvature:k0.npy -o x.json
 cmp -s k.npy k0.npy || fail "the curvature depends on its weight"
 
+# Scenes; what is in them is tested elsewhere.
+expect 0 "written to x.json, scene" c.obj c.pc2 --fps 10 -o x.json --vtk scene/
+cmp -s x.json base.json || fail "other features when a scene is written"
+[[ -s scene/surface.pvd && -s scene/features_0015.vtp ]] || fail "--vtk: no series"
+expect 0 "feature" c.obj c.pc2 --alpha 0 --vtk scene2
+[[ ! -s out ]] || fail "JSON on the standard output beside a scene"
+grep -q '"strain"' scene2/surface_0000.vtp || fail "--vtk --alpha 0: no strain"
+if grep -q '"curvature"' scene2/surface_0000.vtp; then fail "curvature with --alpha 0"; fi
+echo mine >scene/notes.txt
+expect 0 "" c.obj c.pc2 --vtk scene
+[[ "$(cat scene/notes.txt)" == mine ]] || fail "--vtk touches other files of the folder"
+! cmp -s scene/surface_0003.vtp scene2/surface_0003.vtp || fail "--vtk does not replace a scene"
+no_temporaries
+
 # ----------------------------------------------------------------------------------------------------- kinds of input
 
 # Frames in natural order, in a folder and one by one, are the same animation.
@@ -568,6 +584,8 @@ echo old >file
 output "nowhere/x.json: cannot write" c.obj c.pc2 -o nowhere/x.json
 output "folder.json: cannot write" c.obj c.pc2 -o folder.json
 output "file/x.json: cannot write" c.obj c.pc2 -o file/x.json
+output "nowhere/scene: cannot write" c.obj c.pc2 -o x.json --vtk nowhere/scene
+output "file: cannot write" c.obj c.pc2 -o x.json --vtk file
 output "nowhere/s.npy: cannot write" c.obj c.pc2 -o x.json --write-field strain:nowhere/s.npy
 if [[ -c /dev/full ]]; then
   for format in json csv ply; do output "/dev/full: cannot write" c.obj c.pc2 -o $format:/dev/full; done

@@ -11,6 +11,7 @@
 
 #include <CGAL/Animated_mesh_features/Frame_sequence.h>
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
+#include <CGAL/Animated_mesh_features/Spatio_temporal_feature.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -22,6 +23,7 @@ namespace Detect_features {
 typedef double FT;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef CGAL::Animated_mesh_features::Frame_sequence<Mesh, FT> Sequence;
+typedef CGAL::Animated_mesh_features::Spatio_temporal_feature<Sequence::vertex_descriptor> Feature;
 
 // The animation and the rest shape that the command line names.
 class Animation

@@ -25,6 +25,7 @@ enum class Spatial_filter { HEAT, ONE_RING };
 enum class Temporal_filter { GAUSSIAN, BOX };
 enum class Field { STRAIN, CURVATURE, DEFORMATION };
 enum class Format { JSON, CSV, PLY };
+enum class Scene_format { VTK }; // each has an option of its own
 
 template <class Choice>
 using Names = std::vector<std::pair<std::string, Choice>>;
@@ -66,6 +67,11 @@ inline Names<Field> names(Field)
 inline Names<Format> names(Format)
 {
   return {{"json", Format::JSON}, {"csv", Format::CSV}, {"ply", Format::PLY}};
+}
+
+inline Names<Scene_format> names(Scene_format)
+{
+  return {{"vtk", Scene_format::VTK}};
 }
 
 template <class Choice>

@@ -28,6 +28,7 @@ struct Text
 {
   std::string fps, rest, preset, spatial_filter, temporal_filter, strain, curvature, balls, box_width, ball_radius,
       alpha, sigma_range, tau_range, threshold, absolute_threshold, threads, memory, scratch;
+  std::string vtk;
   std::vector<std::string> outputs, fields;
 };
 
@@ -95,10 +96,14 @@ po::options_description described_options(Command_line& c, Text& t)
   auto add_output = output.add_options();
   add_output("output,o", texts(t.outputs, "FILE"),
              "where to write the features, repeatable: .json, .csv or .ply by its ending; json:FILE, csv:FILE or "
-             "ply:FILE whatever its name; - for the standard output (default: JSON on the standard output)");
+             "ply:FILE whatever its name; - for the standard output (default: JSON on the standard output, if no scene is "
+             "written either)");
   add_output("write-field", texts(t.fields, "FIELD:FILE"),
              "also write strain, curvature (its absolute change from the rest shape) or deformation (strain + alpha "
              "times curvature) of all N vertices in all F frames, repeatable: a NumPy file (.npy), N x F, float32");
+  add_output("vtk", text(t.vtk, "DIR"),
+             "a scene for ParaView: in the folder DIR, surface.pvd with strain, curvature and deformation, and "
+             "features.pvd with the features, each in the frames in which it lives");
   add_output("quiet,q", po::bool_switch(&c.quiet), "say nothing but errors");
   add_output("verbose,v", po::bool_switch(&c.verbose), "tell about the data, and the time and memory of each stage");
 
@@ -297,10 +302,20 @@ Requested_file<Field> requested_field(const std::string& text)
   throw Option_error("--write-field " + text + ": write strain:FILE, curvature:FILE or deformation:FILE");
 }
 
+// Files that show the features on the surface; whoever asks for one does not ask for JSON on the standard output.
+void set_scenes(const Text& t, Command_line& c)
+{
+  const auto add = [&](Scene_format format, const std::string& path) {
+    if (!path.empty()) c.scenes.push_back({format, path});
+  };
+  add(Scene_format::VTK, t.vtk);
+  if (t.vtk == "-") throw Option_error("--vtk: a folder cannot go to the standard output");
+}
+
 void set_outputs(const Text& t, Command_line& c)
 {
   for (const std::string& o : t.outputs) c.outputs.push_back(requested_output(o));
-  if (c.outputs.empty()) c.outputs.push_back({Format::JSON, "-"});
+  if (c.outputs.empty() && c.scenes.empty()) c.outputs.push_back({Format::JSON, "-"});
   for (const std::string& f : t.fields) c.fields.push_back(requested_field(f));
   std::set<std::string> paths;
   const auto check = [&](const std::string& path) {
@@ -311,6 +326,7 @@ void set_outputs(const Text& t, Command_line& c)
   };
   for (const auto& o : c.outputs) check(o.path);
   for (const auto& f : c.fields) check(f.path);
+  for (const auto& s : c.scenes) check(s.path);
 }
 
 void store(int argc, const char* const* argv, Command_line& c, Text& t)
@@ -337,6 +353,33 @@ void store(int argc, const char* const* argv, Command_line& c, Text& t)
 
 } // namespace
 
+bool Command_line::is_written(Field field) const
+{
+  return std::any_of(fields.begin(), fields.end(),
+                     [&](const Requested_file<Field>& f) { return f.kind == field; });
+}
+
+bool Command_line::is_shown(Field field) const
+{
+  // All scenes with a surface colour it by the deformation, and offer the others if they are there anyway.
+  bool has_surface = false, has_all_fields = false;
+  for (const auto& s : scenes) {
+    has_surface = true;
+    has_all_fields = has_all_fields || s.kind == Scene_format::VTK;
+  }
+  if (field == Field::DEFORMATION) return has_surface;
+  // Who leaves the curvature out does not want to wait for it.
+  if (field == Field::CURVATURE && alpha && *alpha == 0) has_all_fields = false;
+  return has_all_fields || (has_surface && is_written(field));
+}
+
+std::size_t Command_line::extra_fields() const
+{
+  std::size_t n = 0;
+  for (Field field : {Field::STRAIN, Field::CURVATURE, Field::DEFORMATION}) n += is_written(field) || is_shown(field);
+  return n;
+}
+
 Command_line parse_command_line(int argc, const char* const* argv)
 {
   Command_line c;
@@ -355,6 +398,7 @@ Command_line parse_command_line(int argc, const char* const* argv)
   set_memory(t, c);
   set_rest(t.rest, c);
   set_method(t, c);
+  set_scenes(t, c);
   set_outputs(t, c);
   return c;
 }

@@ -74,11 +74,18 @@ struct Command_line
 
   std::vector<Requested_file<Format>> outputs;
   std::vector<Requested_file<Field>> fields;
+  std::vector<Requested_file<Scene_format>> scenes;
 
   std::size_t threads = 0;           // 0: all
   std::optional<std::size_t> memory; // bytes
   std::string scratch_directory;
   bool quiet = false, verbose = false;
+
+  bool is_written(Field field) const;
+  // whether a scene shows it, so that it is kept until the features are known
+  bool is_shown(Field field) const;
+  // how many fields there are at a time besides those of every detection
+  std::size_t extra_fields() const;
 };
 
 // throws Option_error, with a message for the user.

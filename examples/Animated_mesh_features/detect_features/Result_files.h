@@ -8,6 +8,7 @@
 #define DETECT_FEATURES_RESULT_FILES_H
 
 #include "Command_line.h"
+#include "Scene_files.h"
 
 #include <CGAL/Animated_mesh_features/IO/Output_file.h>
 #include <CGAL/Animated_mesh_features/IO/Result_description.h>
@@ -36,16 +37,10 @@ class Result_files
 
 public:
   explicit Result_files(const Command_line& command_line)
+    : m_scenes(command_line)
   {
     open(command_line.fields, m_fields);
     open(command_line.outputs, m_features);
-  }
-
-  bool is_wanted(Field kind) const
-  {
-    for (const auto& f : m_fields)
-      if (f.kind == kind) return true;
-    return false;
   }
 
   template <class Spatio_temporal_field>
@@ -74,10 +69,13 @@ public:
     }
   }
 
+  void write_scenes(const Shown_scene& scene) { m_scenes.write(scene); }
+
   void commit()
   {
     for (auto& f : m_fields) f.file->commit();
     for (auto& f : m_features) f.file->commit();
+    m_scenes.commit();
   }
 
 private:
@@ -95,6 +93,7 @@ private:
 
   std::vector<Open_file<Field>> m_fields;
   std::vector<Open_file<Format>> m_features;
+  Scene_files m_scenes;
 };
 
 } // namespace Detect_features

@@ -36,7 +36,7 @@ void set_defaults(const Sequence& sequence, const Command_line& c, Detection& re
   if (c.no_suppression) result.selection.suppress_non_maxima = false;
 }
 
-// The deformation of all vertices in all frames; on the way, the fields are written.
+// The deformation of all vertices in all frames; on the way, the fields are written, and kept if they are to be shown.
 template <class CurvatureMeasure>
 Values deformation(const Sequence& sequence, const Command_line& c, const CurvatureMeasure& curvature,
                    Detection& result, Result_files& files, Monitor& monitor)
@@ -45,27 +45,33 @@ Values deformation(const Sequence& sequence, const Command_line& c, const Curvat
                      .with_strain(Chosen_strain(c.strain))
                      .with_curvature(curvature)
                      .with_balls(Chosen_balls(c.balls));
+  const auto is_wanted = [&](Field kind) { return c.is_written(kind) || c.is_shown(kind); };
   options.triangle_weights = result.triangle_weights;
   options.alpha = result.alpha;
-  if (options.alpha != 0 || files.is_wanted(Field::CURVATURE))
+  if (options.alpha != 0 || is_wanted(Field::CURVATURE))
     result.ball_radius = c.ball_radius ? c.ball_radius->on(sequence.rest_shape().bounding_box_diagonal())
                                        : AMF::default_ball_radius(sequence.rest_shape());
   options.ball_radius = result.ball_radius;
   AMF::Feature_detector<Sequence, decltype(options)> detector(sequence, options);
 
   const auto write = [&](Field kind, const Values& field) {
+    if (!c.is_written(kind)) return;
     const Stage_log::Scope stage(monitor.log(), "writing");
     files.write_field(kind, field);
   };
-  if (files.is_wanted(Field::STRAIN)) write(Field::STRAIN, detector.strain(monitor));
-  if (files.is_wanted(Field::CURVATURE)) write(Field::CURVATURE, detector.curvature_change(monitor));
+  const auto use = [&](Field kind, const Values& field) {
+    write(kind, field);
+    if (c.is_shown(kind)) result.shown_fields.push_back({kind, field});
+  };
+  if (is_wanted(Field::STRAIN)) use(Field::STRAIN, detector.strain(monitor));
+  if (is_wanted(Field::CURVATURE)) use(Field::CURVATURE, detector.curvature_change(monitor));
   const Values& sum = detector.deformation(monitor);
-  if (files.is_wanted(Field::DEFORMATION)) write(Field::DEFORMATION, sum);
+  write(Field::DEFORMATION, sum); // kept by the detector of features as long as it takes
   return sum;
 }
 
 template <class TemporalFilter, class Sampling, class Response>
-void find_features(const Sequence& sequence, Values deformation, const Chosen_spatial_filter& spatial,
+void find_features(const Sequence& sequence, const Command_line& c, Values deformation, const Chosen_spatial_filter& spatial,
                    const TemporalFilter& temporal, const Sampling& sampling, const Response& response,
                    std::size_t level_memory, Detection& result, Monitor& monitor)
 {
@@ -79,6 +85,8 @@ void find_features(const Sequence& sequence, Values deformation, const Chosen_sp
   detector.set_deformation(std::move(deformation));
   detector.set_level_memory(level_memory);
   detector(std::back_inserter(result.features), monitor);
+  if (c.is_shown(Field::DEFORMATION)) // first: it is what features are features of
+    result.shown_fields.insert(result.shown_fields.begin(), {Field::DEFORMATION, detector.deformation()});
   result.number_of_minima = detector.number_of_minima();
   result.sigma_levels = detector.sigma_levels();
   result.tau_levels = detector.tau_levels();
@@ -116,10 +124,10 @@ Detection detect(const Sequence& sequence, const Command_line& c, std::size_t le
                                             : Chosen_spatial_filter(AMF::Heat_diffusion_filter());
   const auto find = [&](const auto& temporal) {
     if (is_published)
-      find_features(sequence, std::move(field), spatial, temporal, AMF::Every_smoothing_count(),
+      find_features(sequence, c, std::move(field), spatial, temporal, AMF::Every_smoothing_count(),
                     AMF::Forward_difference_of_gaussians(), level_memory, result, monitor);
     else
-      find_features(sequence, std::move(field), spatial, temporal, fixed_ratio_sampling(sequence, c),
+      find_features(sequence, c, std::move(field), spatial, temporal, fixed_ratio_sampling(sequence, c),
                     AMF::Central_difference_of_gaussians(), level_memory, result, monitor);
   };
   try {

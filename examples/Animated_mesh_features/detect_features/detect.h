@@ -13,19 +13,24 @@
 #include "Result_files.h"
 
 #include <CGAL/Animated_mesh_features/Detection_options.h>
-#include <CGAL/Animated_mesh_features/Spatio_temporal_feature.h>
+#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
 
 #include <cstddef>
 #include <vector>
 
 namespace Detect_features {
 
-typedef CGAL::Animated_mesh_features::Spatio_temporal_feature<Sequence::vertex_descriptor> Feature;
+struct Shown_field
+{
+  Field kind;
+  CGAL::Animated_mesh_features::Spatio_temporal_field<FT> values;
+};
 
 // The features, and the values that were used where the command line left the choice.
 struct Detection
 {
   std::vector<Feature> features; // strongest first
+  std::vector<Shown_field> shown_fields; // for scenes
   std::size_t number_of_minima = 0;
   std::vector<double> sigma_levels, tau_levels;   // length, seconds
   std::size_t levels_below = 0, levels_above = 0; // of them, at which no features are searched: the first and the last

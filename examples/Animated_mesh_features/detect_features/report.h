@@ -9,6 +9,7 @@
 
 #include "Animation.h"
 #include "Command_line.h"
+#include "Scene_files.h"
 #include "Stage_log.h"
 #include "detect.h"
 
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <iomanip>
 #include <sstream>
 #include <string>
@@ -45,6 +47,16 @@ inline std::string searched(const char* what, const std::vector<double>& levels,
 }
 
 } // namespace internal
+
+// The animation and the detection as writers of scenes take them.
+inline Shown_scene scene(const Command_line& c, const Animation& animation, const Detection& detection)
+{
+  std::filesystem::path first = c.inputs.front();
+  if (!first.has_filename()) first = first.parent_path(); // of "frames/"
+  Shown_scene s{animation.sequence(), detection.features, {}, first.stem().string()};
+  for (const Shown_field& f : detection.shown_fields) s.fields.push_back({name(f.kind), &f.values});
+  return s;
+}
 
 // What the JSON file tells: all that is needed to find the same features again.
 inline AMF::IO::Result_description description(const Command_line& c, const Animation& animation,
@@ -170,6 +182,7 @@ inline std::string summary(const Command_line& c, const Detection& detection, do
   };
   for (const auto& o : c.outputs) add(o.path);
   for (const auto& f : c.fields) add(f.path);
+  for (const auto& s : c.scenes) add(s.path);
   os << '\n';
   return os.str();
 }

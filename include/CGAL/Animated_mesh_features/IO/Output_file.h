@@ -55,7 +55,13 @@ public:
   \throws Output_error if it cannot be opened, is a folder, or exists and is not writable.
   */
   explicit Output_file(const std::string& name)
-    : m_name(name)
+    : Output_file(name, name)
+  {
+  }
+
+  /// the same, under another name in messages: that of the place to which a file of an `Output_folder` will come.
+  Output_file(const std::string& name, const std::string& name_in_messages)
+    : m_name(name_in_messages)
     , m_stream(&m_buffer)
   {
     if (is_standard_output(name)) {

@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Animated_mesh_features authors.
+#
+# This file is part of the package Animated_mesh_features for CGAL.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""check_vtk.py SCENE ANIMATION FEATURES.json
+
+Reads the folder that detect_features --vtk has written by VTK's own readers, and compares it with the animation
+(ANIMATION.obj, ANIMATION.pc2), the features, and the fields (NAME.npy), number by number.
+"""
+
+import json
+import math
+import os
+import struct
+import sys
+import xml.etree.ElementTree
+
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+checks = 0
+
+
+def check(condition, what):
+    global checks
+    checks += 1
+    if not condition:
+        sys.exit("failed: " + what)
+
+
+def near(a, b, tolerance=1e-12):
+    return abs(a - b) <= tolerance * max(1, abs(a), abs(b))
+
+
+def read_npy(path):
+    data = open(path, "rb").read()
+    (length,) = struct.unpack("<H", data[8:10])
+    n, f = eval(data[10:10 + length])["shape"]
+    values = struct.unpack("<%df" % (n * f), data[10 + length:])
+    return [values[v * f:(v + 1) * f] for v in range(n)]
+
+
+def read_pc2(path):
+    data = open(path, "rb").read()
+    n, f = struct.unpack("<i", data[16:20])[0], struct.unpack("<i", data[28:32])[0]
+    xyz = struct.unpack("<%df" % (3 * n * f), data[32:])
+    return [[xyz[3 * i:3 * i + 3] for i in range(k * n, (k + 1) * n)] for k in range(f)]
+
+
+def read_triangles(path):
+    rows = [line.split()[1:] for line in open(path) if line.startswith("f ")]
+    return [tuple(int(corner.split("/")[0]) - 1 for corner in row) for row in rows]
+
+
+def read_series(name):
+    """Time and data of each file of a .pvd file."""
+    root = xml.etree.ElementTree.parse(os.path.join(scene, name)).getroot()
+    check(root.get("type") == "Collection", name + ": the type")
+    series = []
+    for entry in root.iter("DataSet"):
+        reader = vtkXMLPolyDataReader()
+        path = os.path.join(scene, entry.get("file"))
+        check(reader.CanReadFile(path) == 1, path + ": VTK reads it")
+        reader.SetFileName(path)
+        reader.Update()
+        check(reader.GetErrorCode() == 0, path + ": without an error")
+        series.append((float(entry.get("timestep")), reader.GetOutput()))
+        time = series[-1][1].GetFieldData().GetArray("TimeValue")
+        check(time.GetNumberOfTuples() == 1 and near(time.GetValue(0), series[-1][0]), path + ": the time")
+    return series
+
+
+def values(data, name):
+    array = data.GetPointData().GetArray(name)
+    check(array is not None, "there is an array " + name)
+    check(array.GetNumberOfTuples() == data.GetNumberOfPoints(), "the size of " + name)
+    return [array.GetValue(i) for i in range(array.GetNumberOfTuples())]
+
+
+def turned(triangle):
+    i = triangle.index(min(triangle))
+    return triangle[i:] + triangle[:i]
+
+
+scene, animation, features = sys.argv[1], sys.argv[2], json.load(open(sys.argv[3]))
+positions = read_pc2(animation + ".pc2")
+triangles = [turned(t) for t in read_triangles(animation + ".obj")]
+clock = features["animation"]["frame_duration"]
+fields = {name: read_npy(name + ".npy") for name in ("strain", "curvature", "deformation")}
+features = features["features"]
+check(len(features) > 3, "there are features")
+
+surface = read_series("surface.pvd")
+check(len(surface) == len(positions), "a surface for each frame")
+for f, (time, data) in enumerate(surface):
+    check(near(time, f * clock), "the time of a frame")
+    check(data.GetNumberOfPoints() == len(positions[f]), "the number of vertices")
+    for v, p in enumerate(positions[f]):
+        check(data.GetPoint(v) == p, "the position of vertex %d in frame %d" % (v, f))
+    check(data.GetNumberOfPolys() == data.GetNumberOfCells() == len(triangles), "the number of triangles")
+    for t in (range(len(triangles)) if f == 0 else (0, len(triangles) - 1)):
+        ids = data.GetCell(t).GetPointIds()
+        check(turned(tuple(ids.GetId(i) for i in range(ids.GetNumberOfIds()))) == triangles[t], "triangle %d" % t)
+    for name, field in fields.items():
+        for v, value in enumerate(values(data, name)):
+            check(value == field[v][f], "%s of vertex %d in frame %d" % (name, v, f))
+    check(data.GetPointData().GetScalars().GetName() == "deformation", "the deformation is shown first")
+
+series = read_series("features.pvd")
+check(len(series) == len(positions), "features for each frame")
+seen = set()
+empty = 0
+for f, (time, data) in enumerate(series):
+    alive = [i for i, x in enumerate(features)
+             if f == x["frame"] or abs(f * clock - x["time"]) <= 2 * x["tau"]]
+    check(values(data, "rank") == alive, "those that live in frame %d" % f)
+    check(data.GetNumberOfVerts() == data.GetNumberOfCells() == len(alive), "a vertex for each feature")
+    empty += not alive
+    seen.update(alive)
+    columns = {name: values(data, name)
+               for name in ("sigma", "tau", "time", "strength", "radius", "vertex", "frame", "opacity")}
+    for row, i in enumerate(alive):
+        x = features[i]
+        for name in ("sigma", "tau", "time", "strength", "radius", "vertex", "frame"):
+            check(near(columns[name][row], x[name]), "%s of feature %d in frame %d" % (name, i, f))
+        check(near(columns["opacity"][row], math.exp(-((f * clock - x["time"]) / x["tau"]) ** 2 / 2)), "opacity")
+        place = [sum(b * positions[f][v][c] for b, v in zip(x["barycentric_coordinates"], x["triangle"]))
+                 for c in range(3)]
+        check(all(near(a, b) for a, b in zip(data.GetPoint(row), place)), "the place of feature %d in frame %d" % (i, f))
+check(seen == set(range(len(features))), "every feature is seen in some frame")
+check(empty > 0, "in some frame of this animation no feature lives")
+
+print("VTK reads %d frames: %d checks, all as expected" % (len(positions), checks))
