@@ -166,16 +166,16 @@ public:
   double variance(std::size_t k, std::size_t) const { return (*m_variances)[k]; }
 
   template <class Loop>
-  void operator()(std::size_t k, const AMF::Spatio_temporal_field<float>& in, AMF::Spatio_temporal_field<float>& out,
+  void operator()(std::size_t k, const AMF::Spatio_temporal_field<double>& in, AMF::Spatio_temporal_field<double>& out,
                   const Loop& loop)
   {
     CHECK(k == m_next++ && &in != &out);
     CHECK(out.number_of_rows() == in.number_of_rows() && out.number_of_frames() == in.number_of_frames());
     loop(in.number_of_rows(), [&](std::size_t v) {
       for (std::size_t f = 0; f < in.number_of_frames(); ++f) {
-        float sum = in(v, f);
+        double sum = in(v, f);
         for (AMF::Rest_shape::Index w : m_shape->neighbours()[v]) sum += in(w, f);
-        out(v, f) = sum / float(m_shape->neighbours()[v].size() + 1);
+        out(v, f) = sum / double(m_shape->neighbours()[v].size() + 1);
       }
     });
   }
@@ -198,7 +198,7 @@ public:
   }
   double variance(std::size_t l) const { return (*m_variances)[l]; }
 
-  void operator()(std::size_t, const float* in, float* out) const
+  void operator()(std::size_t, const double* in, double* out) const
   {
     for (std::size_t f = 0; f < m_frames; ++f)
       out[f] = (in[f > 0 ? f - 1 : 0] + 2 * in[f] + in[f + 1 < m_frames ? f + 1 : f]) / 4;
@@ -259,11 +259,11 @@ private:
 struct Archetype_search : Copy_only
 {
   using Copy_only::Copy_only;
-  bool at_vertex(const AMF::Response_window<float>& d) const
+  bool at_vertex(const AMF::Response_window<double>& d) const
   {
     return d(0, 0, 0) < 0 && d(0, 0, 0) < d(0, 0, -1) && d(0, 0, 0) < d(0, 0, 1);
   }
-  bool at_neighbour(float centre, float, float same, float) const { return centre < same; }
+  bool at_neighbour(double centre, double, double same, double) const { return centre < same; }
 };
 
 class Archetype_visitor

@@ -266,8 +266,9 @@ public:
             missing += m > tolerance && !is_found;
             wrong += m < -tolerance && is_found;
           }
-    // responses of forward differences are small at small scales, where float leaves more of them open
-    const bool decided = unclear <= 2 + expected / (rounding < 1e-9 ? 50 : 5);
+    // forward differences at small scales and boxes about as wide as the animation is long leave small responses, of
+    // which float leaves more open
+    const bool decided = unclear <= 2 + expected / (rounding < 1e-9 ? 50 : 2);
     if (missing > 0 || wrong > 0 || !samples.empty() || !decided)
       std::cerr << what << ": " << expected << " extrema, missing " << missing << ", wrong " << wrong
                 << ", out of range " << samples.size() << ", unclear " << unclear << std::endl;
@@ -336,7 +337,7 @@ std::size_t check_case(const std::string& what, const Rest_shape& shape, const F
   const auto found = extrema_of(shape, field, levels, spatial, temporal, response);
   const std::size_t expected = brute.check(what, found, 1e-12);
   brute.check(what + ", float", extrema_of(shape, converted<float>(field, 1), levels, spatial, temporal, response),
-              1e-6);
+              2e-7);
   // twice the field, twice the responses, to the last bit
   CHECK(same(found, extrema_of(shape, converted<double>(field, 2), levels, spatial, temporal, response), 2));
   for (const std::size_t threads : {1, 2, 3}) {

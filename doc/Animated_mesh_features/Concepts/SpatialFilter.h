@@ -50,15 +50,14 @@ public:
   The result in a frame depends on that frame only. For the result not to depend on threads, each value has to be
   computed by the same operations in the same order, whoever computes it.
 
-  \tparam FT the scalar of the animation.
-  \param in, out different fields of `N x F`, rows in the order of `shape`. What is in `out` before is not to be relied
-    on.
+  \param in, out different fields of `N x F`, rows in the order of `shape`; in double precision, whatever the scalar of
+    the animation. What is in `out` before is not to be relied on.
   \param loop see `GeodesicBalls`.
   */
-  template <class FT, class Loop>
+  template <class Loop>
   void operator()(std::size_t k,
-                  const CGAL::Animated_mesh_features::Spatio_temporal_field<FT>& in,
-                  CGAL::Animated_mesh_features::Spatio_temporal_field<FT>& out,
+                  const CGAL::Animated_mesh_features::Spatio_temporal_field<double>& in,
+                  CGAL::Animated_mesh_features::Spatio_temporal_field<double>& out,
                   const Loop& loop);
 
   /// \name What Samplings Ask For
