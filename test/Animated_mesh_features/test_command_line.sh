@@ -274,6 +274,8 @@ usage "standard output" c.obj c.pc2 -o - -o csv:-
 usage "no name" c.obj c.pc2 -o csv:
 usage "standard output" c.obj c.pc2 --vtk -
 usage "same file" c.obj c.pc2 -o json:x --vtk x
+usage "same file" c.obj c.pc2 -o x.json --glb x.glb --plot x.glb
+usage "standard output" c.obj c.pc2 --glb - --plot -
 
 # ----------------------------------------------------------------------------------------------------- every option
 
@@ -465,6 +467,11 @@ expect 0 "feature" c.obj c.pc2 --alpha 0 --vtk scene2
 [[ ! -s out ]] || fail "JSON on the standard output beside a scene"
 grep -q '"strain"' scene2/surface_0000.vtp || fail "--vtk --alpha 0: no strain"
 if grep -q '"curvature"' scene2/surface_0000.vtp; then fail "curvature with --alpha 0"; fi
+expect 0 "" c.obj c.pc2 --fps 10 -o x.json --glb scene.glb --plot scene.svg
+cmp -s x.json base.json || fail "other features when scenes are written"
+expect 0 "" c.obj c.pc2 --fps 10 --plot -
+cmp -s out scene.svg || fail "--plot - is not the plot"
+"$program" c.obj c.pc2 --fps 10 -q --glb - | cmp -s - scene.glb || fail "--glb - is not the scene"
 echo mine >scene/notes.txt
 expect 0 "" c.obj c.pc2 --vtk scene
 [[ "$(cat scene/notes.txt)" == mine ]] || fail "--vtk touches other files of the folder"
@@ -589,6 +596,7 @@ output "file: cannot write" c.obj c.pc2 -o x.json --vtk file
 output "nowhere/s.npy: cannot write" c.obj c.pc2 -o x.json --write-field strain:nowhere/s.npy
 if [[ -c /dev/full ]]; then
   for format in json csv ply; do output "/dev/full: cannot write" c.obj c.pc2 -o $format:/dev/full; done
+  for scene in glb plot; do output "/dev/full: cannot write" c.obj c.pc2 -o x.json --$scene /dev/full; done
   output "/dev/full: cannot write" c.obj c.pc2 -o x.json --write-field deformation:/dev/full
   "$program" c.obj c.pc2 >/dev/full 2>err
   [[ $? -eq 4 ]] || fail "a full disk behind the standard output"

@@ -29,6 +29,7 @@ fi
 folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
+export PYTHONDONTWRITEBYTECODE=1
 "$generator" figure --vertices 1000 --fps 10 -o c >/dev/null &&
   "$program" c.obj c.pc2 --fps 10 --quiet -o features.json --vtk scene --write-field strain:strain.npy \
     --write-field curvature:curvature.npy --write-field deformation:deformation.npy &&

@@ -28,7 +28,7 @@ struct Text
 {
   std::string fps, rest, preset, spatial_filter, temporal_filter, strain, curvature, balls, box_width, ball_radius,
       alpha, sigma_range, tau_range, threshold, absolute_threshold, threads, memory, scratch;
-  std::string vtk;
+  std::string vtk, glb, plot;
   std::vector<std::string> outputs, fields;
 };
 
@@ -104,6 +104,11 @@ po::options_description described_options(Command_line& c, Text& t)
   add_output("vtk", text(t.vtk, "DIR"),
              "a scene for ParaView: in the folder DIR, surface.pvd with strain, curvature and deformation, and "
              "features.pvd with the features, each in the frames in which it lives");
+  add_output("glb", text(t.glb, "FILE"),
+             "a scene for Blender and other viewers of glTF: the moving surface, coloured by its deformation, with the "
+             "features as spheres that come and go");
+  add_output("plot", text(t.plot, "FILE"),
+             "a plot (SVG) of the features over time, and of how many there are of which sigma and tau");
   add_output("quiet,q", po::bool_switch(&c.quiet), "say nothing but errors");
   add_output("verbose,v", po::bool_switch(&c.verbose), "tell about the data, and the time and memory of each stage");
 
@@ -309,6 +314,8 @@ void set_scenes(const Text& t, Command_line& c)
     if (!path.empty()) c.scenes.push_back({format, path});
   };
   add(Scene_format::VTK, t.vtk);
+  add(Scene_format::GLB, t.glb);
+  add(Scene_format::PLOT, t.plot);
   if (t.vtk == "-") throw Option_error("--vtk: a folder cannot go to the standard output");
 }
 
@@ -364,7 +371,7 @@ bool Command_line::is_shown(Field field) const
   // All scenes with a surface colour it by the deformation, and offer the others if they are there anyway.
   bool has_surface = false, has_all_fields = false;
   for (const auto& s : scenes) {
-    has_surface = true;
+    has_surface = has_surface || s.kind != Scene_format::PLOT;
     has_all_fields = has_all_fields || s.kind == Scene_format::VTK;
   }
   if (field == Field::DEFORMATION) return has_surface;

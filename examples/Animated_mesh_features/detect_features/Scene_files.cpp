@@ -8,6 +8,8 @@
 
 #include <CGAL/Animated_mesh_features/IO/Output_file.h>
 #include <CGAL/Animated_mesh_features/IO/Output_folder.h>
+#include <CGAL/Animated_mesh_features/IO/write_glb.h>
+#include <CGAL/Animated_mesh_features/IO/write_plot.h>
 #include <CGAL/Animated_mesh_features/IO/write_vtk.h>
 
 #include <ostream>
@@ -67,6 +69,10 @@ std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested)
 {
   switch (requested.kind) {
   case Scene_format::VTK: return std::make_unique<Vtk_folder>(requested.path);
+  case Scene_format::GLB:
+    return single_file(requested.path, [](std::ostream& os, const Shown_scene& scene) { AMF::IO::write_glb(os, scene); });
+  case Scene_format::PLOT:
+    return single_file(requested.path, [](std::ostream& os, const Shown_scene& scene) { AMF::IO::write_plot(os, scene); });
   }
   return nullptr;
 }

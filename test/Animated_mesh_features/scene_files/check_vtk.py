@@ -14,44 +14,12 @@ Reads the folder that detect_features --vtk has written by VTK's own readers, an
 import json
 import math
 import os
-import struct
 import sys
 import xml.etree.ElementTree
 
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-checks = 0
-
-
-def check(condition, what):
-    global checks
-    checks += 1
-    if not condition:
-        sys.exit("failed: " + what)
-
-
-def near(a, b, tolerance=1e-12):
-    return abs(a - b) <= tolerance * max(1, abs(a), abs(b))
-
-
-def read_npy(path):
-    data = open(path, "rb").read()
-    (length,) = struct.unpack("<H", data[8:10])
-    n, f = eval(data[10:10 + length])["shape"]
-    values = struct.unpack("<%df" % (n * f), data[10 + length:])
-    return [values[v * f:(v + 1) * f] for v in range(n)]
-
-
-def read_pc2(path):
-    data = open(path, "rb").read()
-    n, f = struct.unpack("<i", data[16:20])[0], struct.unpack("<i", data[28:32])[0]
-    xyz = struct.unpack("<%df" % (3 * n * f), data[32:])
-    return [[xyz[3 * i:3 * i + 3] for i in range(k * n, (k + 1) * n)] for k in range(f)]
-
-
-def read_triangles(path):
-    rows = [line.split()[1:] for line in open(path) if line.startswith("f ")]
-    return [tuple(int(corner.split("/")[0]) - 1 for corner in row) for row in rows]
+from scene_data import check, count, near, read_npy, read_pc2, read_triangles, turned
 
 
 def read_series(name):
@@ -77,11 +45,6 @@ def values(data, name):
     check(array is not None, "there is an array " + name)
     check(array.GetNumberOfTuples() == data.GetNumberOfPoints(), "the size of " + name)
     return [array.GetValue(i) for i in range(array.GetNumberOfTuples())]
-
-
-def turned(triangle):
-    i = triangle.index(min(triangle))
-    return triangle[i:] + triangle[:i]
 
 
 scene, animation, features = sys.argv[1], sys.argv[2], json.load(open(sys.argv[3]))
@@ -132,4 +95,4 @@ for f, (time, data) in enumerate(series):
 check(seen == set(range(len(features))), "every feature is seen in some frame")
 check(empty > 0, "in some frame of this animation no feature lives")
 
-print("VTK reads %d frames: %d checks, all as expected" % (len(positions), checks))
+print("VTK reads %d frames: %d checks, all as expected" % (len(positions), count()))

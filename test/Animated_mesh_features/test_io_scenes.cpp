@@ -1,0 +1,273 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Scenes: when features live, folders of results, what does not fit, numbers for people; in any locale. What is in the
+// files is tested by test_write_*.sh, with the programs that read them.
+
+#include "test_io_support.h"
+
+#include <CGAL/Animated_mesh_features/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/IO/Output_folder.h>
+#include <CGAL/Animated_mesh_features/IO/Scene.h>
+#include <CGAL/Animated_mesh_features/IO/feature_in_frame.h>
+#include <CGAL/Animated_mesh_features/IO/internal/Plot_axis.h>
+#include <CGAL/Animated_mesh_features/IO/write_glb.h>
+#include <CGAL/Animated_mesh_features/IO/write_plot.h>
+#include <CGAL/Animated_mesh_features/IO/write_vtk.h>
+#include <CGAL/Animated_mesh_features/Spatio_temporal_feature.h>
+#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/exceptions.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace CGAL::Animated_mesh_features;
+using namespace test_support;
+
+namespace {
+
+typedef CGAL::Simple_cartesian<double>::Point_3 Point;
+typedef CGAL::Surface_mesh<Point> Mesh;
+typedef Frame_sequence<Mesh> Sequence;
+typedef Spatio_temporal_feature<Mesh::Vertex_index> Feature;
+typedef IO::Scene<Sequence, Feature> Scene;
+
+// Two triangles, of which vertex 3 rises; vertex 4 belongs to none.
+struct Flap
+{
+  Mesh mesh;
+  std::vector<std::vector<Point>> frames;
+  std::vector<Feature> features;
+
+  explicit Flap(double size = 1)
+  {
+    for (const Point& p : {Point(0, 0, 0), Point(size, 0, 0), Point(0, size, 0), Point(size, size, 0), Point(5, 5, 5)})
+      mesh.add_vertex(p);
+    const auto v = [](unsigned i) { return Mesh::Vertex_index(i); };
+    mesh.add_face(v(0), v(1), v(2));
+    mesh.add_face(v(1), v(3), v(2));
+    for (int f = 0; f < 20; ++f) {
+      frames.emplace_back();
+      for (auto u : mesh.vertices()) frames.back().push_back(mesh.point(u));
+      frames.back()[3] = Point(size, size, size * f);
+    }
+    Feature feature;
+    feature.vertex = v(3);
+    feature.vertex_index = 3;
+    feature.frame = 10;
+    feature.time = 1.04;
+    feature.triangle = {{3, 2, 1}};
+    feature.barycentric_coordinates = {{0.5, 0.25, 0.25}};
+    feature.sigma = 0.5;
+    feature.tau = 0.2;
+    feature.response = -0.3;
+    features.push_back(feature);
+  }
+
+  Sequence sequence() const { return Sequence(mesh, frames, 0.1); }
+};
+
+void test_features_in_frames()
+{
+  const Flap flap;
+  const Sequence sequence = flap.sequence();
+  Feature f = flap.features[0];
+  // within 0.4 s of 1.04 s
+  for (std::size_t frame = 0; frame < 20; ++frame) {
+    CHECK(IO::lives_in_frame(f, frame, 0.1) == (frame >= 7 && frame <= 14));
+    const double expected =
+        frame >= 7 && frame <= 14 ? std::exp(-std::pow((0.1 * double(frame) - 1.04) / 0.2, 2) / 2) : 0;
+    CHECK_NEAR(IO::opacity_in_frame(f, frame, 0.1), expected, 1e-12);
+  }
+  // shorter than the time between frames
+  f.tau = 0.001;
+  CHECK(IO::lives_in_frame(f, 10, 0.1) && !IO::lives_in_frame(f, 9, 0.1) && !IO::lives_in_frame(f, 11, 0.1));
+  f.tau = 0;
+  CHECK_NEAR(IO::opacity_in_frame(f, 10, 0.1), 1, 0);
+  CHECK_NEAR(IO::opacity_in_frame(f, 11, 0.1), 0, 0);
+  const std::array<double, 3> p = IO::position_in_frame(sequence, f, 8);
+  CHECK_NEAR(p[0], 0.75, 1e-12);
+  CHECK_NEAR(p[1], 0.75, 1e-12);
+  CHECK_NEAR(p[2], 4, 1e-12);
+}
+
+std::string glb(const Scene& scene)
+{
+  std::ostringstream os; // has the hostile locale
+  IO::write_glb(os, scene);
+  return os.str();
+}
+
+std::string plot(const Scene& scene)
+{
+  std::ostringstream os;
+  IO::write_plot(os, scene);
+  return os.str();
+}
+
+void test_checks()
+{
+  const Flap flap;
+  const Sequence sequence = flap.sequence();
+  Spatio_temporal_field<double> small(5, 19), field(5, 20);
+  const Scene good{sequence, flap.features, {{"a", &field}}, "title"};
+  CHECK(good.field("a") == &field && good.field("b") == nullptr);
+  CHECK(glb(good).size() > 1000);
+  CHECK(plot(good).size() > 1000);
+  CHECK_THROWS(Option_error, glb({sequence, flap.features, {{"a", &small}}, ""}), "5 x 19");
+  field(2, 7) = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS(Input_error, glb(good), "frame 7");
+  CHECK_THROWS(Input_error, plot(good), "vertex 2");
+  field(2, 7) = 1e200;
+  CHECK_THROWS(Output_error, glb(good), "single precision");
+
+  std::vector<Feature> features = flap.features;
+  features.push_back(features[0]);
+  features[1].vertex_index = 5;
+  const Scene bad{sequence, features, {}, ""};
+  CHECK_THROWS(Input_error, plot(bad), "feature 1 has the vertex 5");
+  features[1].vertex_index = 3;
+  features[1].triangle[2] = 7;
+  CHECK_THROWS(Input_error, plot(bad), "vertex 7");
+  features[1].triangle[2] = 0;
+  features[1].frame = 20;
+  CHECK_THROWS(Input_error, glb(bad), "frame 20");
+}
+
+void test_text_of_files()
+{
+  const Flap flap;
+  const Sequence sequence = flap.sequence();
+  const std::string title = "a <b> & \"c\" \x01\xff";
+  const Scene scene{sequence, flap.features, {}, title};
+  CHECK(plot(scene).find("a &lt;b&gt; &amp; &quot;c&quot; \xef\xbf\xbd\xef\xbf\xbd") != std::string::npos);
+  CHECK(glb(scene).find("\"name\": \"a <b> & \\\"c\\\" \\u0001\xef\xbf\xbd\"") != std::string::npos);
+  // the tick at 0.5 of a locale that writes 0,5
+  CHECK(plot(scene).find(">0.5<") != std::string::npos);
+  CHECK(glb(scene).find("\"frame_duration\": 0.1}") != std::string::npos);
+}
+
+void test_vtk_folder()
+{
+  const Temporary_folder folder;
+  const Flap flap;
+  const Sequence sequence = flap.sequence();
+  Spatio_temporal_field<double> field(5, 20);
+  const std::vector<Feature> none;
+  const Scene scene{sequence, none, {{"a <field>", &field}}, ""};
+  {
+    IO::Output_folder output(folder.path("new"));
+    IO::write_vtk(output, scene);
+    CHECK(!std::filesystem::exists(folder.path("new")));
+    output.commit();
+  }
+  CHECK(folder.number_of_entries() == 1);
+  CHECK(folder.read("new/surface_0019.vtp").find("Name=\"a &lt;field&gt;\"") != std::string::npos);
+  CHECK(folder.read("new/features_0003.vtp").find("NumberOfPoints=\"0\"") != std::string::npos);
+  CHECK(folder.read("new/surface.pvd").find("timestep=\"0.5\"") != std::string::npos);
+
+  // What is thrown midway leaves nothing.
+  field(0, 17) = 1e200;
+  CHECK_THROWS(
+      Output_error,
+      [&] {
+        IO::Output_folder output(folder.path("other"));
+        IO::write_vtk(output, scene);
+      }(),
+      "frame 17");
+  CHECK(folder.number_of_entries() == 1);
+  CHECK(IO::internal::vtp_name("surface", 7, 123456) == "surface_000007.vtp");
+}
+
+void put(IO::Output_folder& output, const std::string& file, const std::string& text)
+{
+  output.write(file, [&](std::ostream& os) { os << text; });
+}
+
+void test_output_folder()
+{
+  const Temporary_folder folder;
+  {
+    IO::Output_folder output(folder.path("a") + "/");
+    put(output, "1", "first");
+    CHECK(folder.number_of_entries() == 1); // the temporary one
+    output.commit();
+  }
+  CHECK(folder.read("a/1") == "first");
+  folder.write("a/mine", "mine");
+  for (bool is_committed : {false, true}) {
+    {
+      IO::Output_folder output(folder.path("a"));
+      put(output, "1", "second");
+      put(output, "2", "new");
+      if (is_committed) output.commit();
+    }
+    CHECK(folder.read("a/1") == (is_committed ? "second" : "first"));
+    CHECK(folder.read("a/2") == (is_committed ? "new" : ""));
+    CHECK(folder.read("a/mine") == "mine");
+    CHECK(std::size_t(std::distance(std::filesystem::directory_iterator(folder.path("a")),
+                                    std::filesystem::directory_iterator())) == (is_committed ? 3u : 2u));
+  }
+  CHECK(folder.number_of_entries() == 1);
+  CHECK_THROWS(Output_error, IO::Output_folder(folder.path("nowhere/a")), "nowhere/a: cannot write");
+  CHECK_THROWS(Output_error, IO::Output_folder(folder.path("a/1")), "a/1: cannot write");
+  CHECK(folder.number_of_entries() == 1);
+  // a message names the place to which the file would have come
+  folder.write("a/sub/file", "");
+  CHECK_THROWS(
+      Output_error,
+      [&] {
+        IO::Output_folder output(folder.path("a"));
+        output.write("x", [](std::ostream& os) { os.setstate(std::ios::badbit); });
+      }(),
+      folder.path("a/x"));
+}
+
+std::string joined(const std::vector<IO::internal::Plot_tick>& ticks)
+{
+  std::string text;
+  for (const auto& t : ticks) text += t.text + " ";
+  return text;
+}
+
+void test_numbers_for_people()
+{
+  using namespace IO::internal;
+  CHECK(decimal(-1234, -2) == "-12.34" && decimal(1200, -2) == "12" && decimal(5, -3) == "0.005" &&
+        decimal(7, 2) == "700");
+  CHECK(rounded(0.31678) == "0.317" && rounded(1. / 3, 1) == "0.3" && rounded(0) == "0" && rounded(-3.2504) == "-3.25");
+  CHECK(rounded(1.5e-7) == "1.5e-7" && rounded(1234567) == "1.23e6" && rounded(9.9999e7) == "1e8");
+  CHECK(joined(linear_ticks(0, 1.57, 8)) == "0 0.2 0.4 0.6 0.8 1 1.2 1.4 ");
+  CHECK(joined(linear_ticks(0, 2, 5, true)) == "0 1 2 ");
+  CHECK(joined(linear_ticks(-10, 47, 4)) == "0 20 40 ");
+  CHECK(joined(linear_ticks(3, 3, 4)).empty());
+  CHECK(joined(logarithmic_ticks(0.028, 0.11)) == "0.03 0.04 0.05 0.07 0.1 ");
+  CHECK(joined(logarithmic_ticks(0.028, 0.4)) == "0.05 0.1 0.2 ");
+  CHECK(joined(logarithmic_ticks(1, 1.2)) == "1 1.05 1.1 1.15 1.2 ");
+  CHECK(joined(logarithmic_ticks(0.001, 100)) == "0.001 0.01 0.1 1 10 100 ");
+}
+
+} // namespace
+
+int main()
+{
+  use_hostile_locale();
+  test_features_in_frames();
+  test_checks();
+  test_text_of_files();
+  test_vtk_folder();
+  test_output_folder();
+  test_numbers_for_people();
+  return test_result();
+}
