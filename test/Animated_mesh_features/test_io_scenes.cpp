@@ -253,7 +253,7 @@ void test_numbers_for_people()
   CHECK(joined(linear_ticks(-10, 47, 4)) == "0 20 40 ");
   CHECK(joined(linear_ticks(3, 3, 4)).empty());
   CHECK(joined(logarithmic_ticks(0.028, 0.11)) == "0.03 0.04 0.05 0.07 0.1 ");
-  CHECK(joined(logarithmic_ticks(0.028, 0.4)) == "0.05 0.1 0.2 ");
+  CHECK(joined(logarithmic_ticks(0.028, 0.4)) == "0.03 0.05 0.1 0.2 0.3 ");
   CHECK(joined(logarithmic_ticks(1, 1.2)) == "1 1.05 1.1 1.15 1.2 ");
   CHECK(joined(logarithmic_ticks(0.001, 100)) == "0.001 0.01 0.1 1 10 100 ");
 }

@@ -73,8 +73,8 @@ inline std::vector<Plot_tick> linear_ticks(double min, double max, double wanted
 // Those of a logarithmic axis: powers of ten, and as many numbers between them as there is room for.
 inline std::vector<Plot_tick> logarithmic_ticks(double min, double max)
 {
-  const std::size_t least = 3, most = 8;
-  for (const std::vector<double>& digits : {std::vector<double>{1, 1.5, 2, 3, 4, 5, 7}, {1, 2, 5}, {1}}) {
+  const std::size_t least = 3, most = 7;
+  for (const std::vector<double>& digits : {std::vector<double>{1, 1.5, 2, 3, 4, 5, 7}, {1, 2, 3, 5}, {1, 2, 5}, {1}}) {
     std::vector<Plot_tick> ticks;
     for (int exponent = int(std::floor(std::log10(min))); std::pow(10., exponent) <= max; ++exponent)
       for (double digit : digits) {
