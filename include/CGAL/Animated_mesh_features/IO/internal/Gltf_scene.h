@@ -14,6 +14,7 @@
 #include <CGAL/Animated_mesh_features/IO/internal/scene_colours.h>
 #include <CGAL/Animated_mesh_features/IO/internal/surface_shapes.h>
 #include <CGAL/Animated_mesh_features/IO/write_json.h>
+#include <CGAL/Animated_mesh_features/Rest_shape.h>
 
 #include <algorithm>
 #include <array>
