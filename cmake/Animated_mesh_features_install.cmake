@@ -32,6 +32,14 @@ install(FILES
   DESTINATION "${package_folder}"
   COMPONENT development)
 
+# The page that IO/write_html.h fills; there is none if it could not be made.
+if(DEFINED ANIMATED_MESH_FEATURES_VIEWER_PAGE)
+  install(FILES "${ANIMATED_MESH_FEATURES_VIEWER_PAGE}"
+    DESTINATION "${CMAKE_INSTALL_DATADIR}/Animated_mesh_features"
+    COMPONENT programs
+    OPTIONAL)
+endif()
+
 foreach(program IN ITEMS detect_features make_animation)
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT programs)

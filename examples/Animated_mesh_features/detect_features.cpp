@@ -9,6 +9,7 @@
 
 #include "detect_features/Animation.h"
 #include "detect_features/Command_line.h"
+#include "detect_features/Html_file.h"
 #include "detect_features/Interruption.h"
 #include "detect_features/Memory_plan.h"
 #include "detect_features/Monitor.h"
@@ -88,6 +89,7 @@ void run(const Command_line& command_line)
   log.begin("reading");
   Memory_plan memory_plan(command_line.memory, command_line.scratch_directory);
   const Animation animation(command_line, [&](std::size_t vertices, std::size_t frames) {
+    check_html(command_line, vertices, frames);
     memory_plan.decide(vertices, frames, command_line.extra_fields());
   });
   log.end();

@@ -276,6 +276,9 @@ usage "standard output" c.obj c.pc2 --vtk -
 usage "same file" c.obj c.pc2 -o json:x --vtk x
 usage "same file" c.obj c.pc2 -o x.json --glb x.glb --plot x.glb
 usage "standard output" c.obj c.pc2 --glb - --plot -
+usage "goes with --html" c.obj c.pc2 --html-every 2
+usage "at least 1" c.obj c.pc2 --html v.html --html-every 0
+usage "is no number" c.obj c.pc2 --html v.html --html-every all
 
 # ----------------------------------------------------------------------------------------------------- every option
 
@@ -476,6 +479,20 @@ echo mine >scene/notes.txt
 expect 0 "" c.obj c.pc2 --vtk scene
 [[ "$(cat scene/notes.txt)" == mine ]] || fail "--vtk touches other files of the folder"
 ! cmp -s scene/surface_0003.vtp scene2/surface_0003.vtp || fail "--vtk does not replace a scene"
+# the viewer is an optional component
+if "$program" c.obj c.pc2 -q --html v.html 2>err; then
+  expect 0 "written to x.json, v.html" c.obj c.pc2 --fps 10 -o x.json --html v.html
+  cmp -s x.json base.json || fail "other features when a page is written"
+  grep -q '"title": "c"' v.html || fail "--html: no scene in the page"
+  [[ $(grep -c 'id="scene-field-' v.html) -eq 1 ]] || fail "--html: more or less than the deformation"
+  expect 0 "" c.obj c.pc2 --html w.html --html-every 4 --write-field strain:s.npy -q
+  grep -q '"kept_frames": \[0, 4, 8, 12, 15\]' w.html || fail "--html-every 4: other frames"
+  [[ $(grep -c 'id="scene-field-' w.html) -eq 2 ]] || fail "--html: no strain, although it was written"
+  rm x.json
+  output "nowhere/v.html: cannot write" c.obj c.pc2 --html nowhere/v.html
+else
+  grep -q "built without the viewer" err || fail "--html: $(cat err)"
+fi
 no_temporaries
 
 # ----------------------------------------------------------------------------------------------------- kinds of input

@@ -28,7 +28,7 @@ struct Text
 {
   std::string fps, rest, preset, spatial_filter, temporal_filter, strain, curvature, balls, box_width, ball_radius,
       alpha, sigma_range, tau_range, threshold, absolute_threshold, threads, memory, scratch;
-  std::string vtk, glb, plot;
+  std::string html, html_every, vtk, glb, plot;
   std::vector<std::string> outputs, fields;
 };
 
@@ -101,6 +101,11 @@ po::options_description described_options(Command_line& c, Text& t)
   add_output("write-field", texts(t.fields, "FIELD:FILE"),
              "also write strain, curvature (its absolute change from the rest shape) or deformation (strain + alpha "
              "times curvature) of all N vertices in all F frames, repeatable: a NumPy file (.npy), N x F, float32");
+  add_output("html", text(t.html, "FILE"),
+             "a page for the browser, with everything in it: the moving surface, coloured by the deformation (and the fields "
+             "of --write-field), the features as spheres, a timeline and a table");
+  add_output("html-every", text(t.html_every, "N"),
+             "take every N-th frame into the page, 1 for all of them (default: as many as leave 8 million positions)");
   add_output("vtk", text(t.vtk, "DIR"),
              "a scene for ParaView: in the folder DIR, surface.pvd with strain, curvature and deformation, and "
              "features.pvd with the features, each in the frames in which it lives");
@@ -313,9 +318,15 @@ void set_scenes(const Text& t, Command_line& c)
   const auto add = [&](Scene_format format, const std::string& path) {
     if (!path.empty()) c.scenes.push_back({format, path});
   };
+  add(Scene_format::HTML, t.html);
   add(Scene_format::VTK, t.vtk);
   add(Scene_format::GLB, t.glb);
   add(Scene_format::PLOT, t.plot);
+  if (!t.html_every.empty()) {
+    if (t.html.empty()) throw Option_error("--html-every goes with --html, the page that it is about");
+    c.html_frame_step = count("--html-every", t.html_every);
+    if (c.html_frame_step == 0) throw Option_error("--html-every: at least 1, which takes all frames");
+  }
   if (t.vtk == "-") throw Option_error("--vtk: a folder cannot go to the standard output");
 }
 

@@ -75,6 +75,7 @@ struct Command_line
   std::vector<Requested_file<Format>> outputs;
   std::vector<Requested_file<Field>> fields;
   std::vector<Requested_file<Scene_format>> scenes;
+  std::size_t html_frame_step = 0; // 0: as the size of the page allows
 
   std::size_t threads = 0;           // 0: all
   std::optional<std::size_t> memory; // bytes

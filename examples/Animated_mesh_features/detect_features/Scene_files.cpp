@@ -6,6 +6,8 @@
 
 #include "Scene_files.h"
 
+#include "Html_file.h"
+
 #include <CGAL/Animated_mesh_features/IO/Output_file.h>
 #include <CGAL/Animated_mesh_features/IO/Output_folder.h>
 #include <CGAL/Animated_mesh_features/IO/write_glb.h>
@@ -65,9 +67,10 @@ std::unique_ptr<Scene_file> single_file(const std::string& path, Write write)
   return std::make_unique<Single_file<Write>>(path, std::move(write));
 }
 
-std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested)
+std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested, const Command_line& c)
 {
   switch (requested.kind) {
+  case Scene_format::HTML: return open_html_file(requested.path, c.html_frame_step);
   case Scene_format::VTK: return std::make_unique<Vtk_folder>(requested.path);
   case Scene_format::GLB:
     return single_file(requested.path, [](std::ostream& os, const Shown_scene& scene) { AMF::IO::write_glb(os, scene); });
@@ -81,7 +84,7 @@ std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested)
 
 Scene_files::Scene_files(const Command_line& command_line)
 {
-  for (const auto& requested : command_line.scenes) m_files.push_back(open(requested));
+  for (const auto& requested : command_line.scenes) m_files.push_back(open(requested, command_line));
 }
 
 void Scene_files::write(const Shown_scene& scene)

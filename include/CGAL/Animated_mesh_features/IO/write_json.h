@@ -85,6 +85,25 @@ private:
   Text_output m_out;
 };
 
+// `"features": [...]`
+template <class FeatureRange>
+void write_json_features(Json_output& out, const FeatureRange& features)
+{
+  out.raw("\"features\": [");
+  const char* separator = "\n  {";
+  for (const auto& f : features) {
+    out.raw(separator).member("vertex", f.vertex_index).raw(", ").member("frame", f.frame);
+    out.raw(", ").member("time", f.time).raw(", ").member("position", f.position);
+    out.raw(", ").member("sigma", f.sigma).raw(", ").member("tau", f.tau).raw(", ").member("radius", f.radius());
+    out.raw(", ").member("response", f.response).raw(", ").member("strength", f.strength());
+    out.raw(", ").member("rest_position", f.rest_position).raw(", ").member("triangle", f.triangle);
+    out.raw(", ").member("barycentric_coordinates", f.barycentric_coordinates);
+    out.raw(", ").member("at_scale_limit", f.at_scale_limit).raw("}");
+    separator = ",\n  {";
+  }
+  out.raw("]");
+}
+
 } // namespace internal
 
 /*!
@@ -130,19 +149,9 @@ void write_json(std::ostream& os, const FeatureRange& features, const Result_des
   }
   out.raw("},\n");
 
-  out.raw(" \"features\": [");
-  separator = "\n  {";
-  for (const auto& f : features) {
-    out.raw(separator).member("vertex", f.vertex_index).raw(", ").member("frame", f.frame);
-    out.raw(", ").member("time", f.time).raw(", ").member("position", f.position);
-    out.raw(", ").member("sigma", f.sigma).raw(", ").member("tau", f.tau).raw(", ").member("radius", f.radius());
-    out.raw(", ").member("response", f.response).raw(", ").member("strength", f.strength());
-    out.raw(", ").member("rest_position", f.rest_position).raw(", ").member("triangle", f.triangle);
-    out.raw(", ").member("barycentric_coordinates", f.barycentric_coordinates);
-    out.raw(", ").member("at_scale_limit", f.at_scale_limit).raw("}");
-    separator = ",\n  {";
-  }
-  out.raw("]}\n").flush();
+  out.raw(" ");
+  internal::write_json_features(out, features);
+  out.raw("}\n").flush();
 }
 
 } // namespace IO

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Keyboard shortcuts, and the text that explains them.
+
+/** Keys, what they do, and how. `viewer` is what main.js gives. */
+export function shortcuts(viewer) {
+  const { state, player, stage } = viewer;
+  return [
+    { keys: [" "], shown: "Space", text: "play or pause", run: () => player.toggle() },
+    { keys: ["ArrowLeft"], shown: "←", text: "one frame back", run: () => player.step(-1) },
+    { keys: ["ArrowRight"], shown: "→", text: "one frame on", run: () => player.step(1) },
+    { keys: ["Home"], shown: "Home", text: "to the beginning", run: () => player.step(-Infinity) },
+    { keys: ["End"], shown: "End", text: "to the end", run: () => player.step(Infinity) },
+    { keys: ["["], shown: "[", text: "slower", run: () => player.faster(-1) },
+    { keys: ["]"], shown: "]", text: "faster", run: () => player.faster(1) },
+    { keys: ["ArrowUp", "p"], shown: "↑ p", text: "stronger feature", run: () => viewer.next(-1) },
+    { keys: ["ArrowDown", "n"], shown: "↓ n", text: "weaker feature", run: () => viewer.next(1) },
+    { keys: ["Enter", "f"], shown: "Enter f", text: "go close to the selected feature", run: () => viewer.approach() },
+    { keys: ["r"], shown: "r", text: "show the whole body", run: () => stage?.resetView() },
+    { keys: ["a", "d"], shown: "a d", text: "turn left, right", run: (key) => stage?.turn(key === "a" ? -0.2 : 0.2, 0) },
+    { keys: ["w", "s"], shown: "w s", text: "turn up, down", run: (key) => stage?.turn(0, key === "w" ? 0.15 : -0.15) },
+    { keys: ["+", "=", "-"], shown: "+ −", text: "closer, farther", run: (key) => stage?.zoom(key === "-" ? 1.15 : 1 / 1.15) },
+    { keys: ["c"], shown: "c", text: "next field on the surface", run: () => viewer.nextField() },
+    { keys: ["m"], shown: "m", text: "next colour map", run: () => viewer.nextMap() },
+    { keys: ["x"], shown: "x", text: "features behind the surface", run: () => state.toggle("hidden") },
+    { keys: ["e"], shown: "e", text: "edges of the mesh", run: () => state.toggle("wires") },
+    { keys: ["v"], shown: "v", text: "follow the body", run: () => state.toggle("follow") },
+    { keys: ["u"], shown: "u", text: "other axis up", run: () => state.set({ up: state.values.up === "y" ? "z" : "y" }) },
+    { keys: ["t"], shown: "t", text: "light or dark", run: () => viewer.toggleTheme() },
+    { keys: ["i"], shown: "i", text: "save the picture", run: () => viewer.savePicture() },
+    { keys: ["?", "h"], shown: "? h", text: "this help", run: () => viewer.toggleHelp() },
+    { keys: ["Escape"], shown: "Esc", text: "select nothing", run: () => state.set({ selected: -1 }) },
+  ];
+}
+
+/** Keys that a control in the focus needs for itself. */
+function isTaken(target, key) {
+  if (target.closest("dialog[open]")) return true;
+  if (target.matches("select, textarea, input:not([type=range], [type=checkbox])")) return true;
+  if (target.matches("input[type=range]")) return key.startsWith("Arrow") || key === "Home" || key === "End";
+  if (target.matches("button, input[type=checkbox], a, summary")) return key === " " || key === "Enter";
+  return false;
+}
+
+export function listen(viewer, list) {
+  const all = shortcuts(viewer);
+  for (const { shown, text } of all) {
+    const item = document.createElement("div");
+    const term = document.createElement("dt");
+    for (const key of shown.split(" ")) term.append(Object.assign(document.createElement("kbd"), { textContent: key }), " ");
+    item.append(term, Object.assign(document.createElement("dd"), { textContent: text }));
+    list.append(item);
+  }
+  document.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.altKey || event.metaKey || isTaken(event.target, event.key)) return;
+    const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const shortcut = all.find(({ keys }) => keys.includes(key));
+    if (shortcut === undefined) return;
+    event.preventDefault();
+    shortcut.run(key);
+  });
+}

@@ -1,0 +1,187 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The scene in the page: what it says, and its numbers decoded. The encoding is described in IO/write_html.h.
+
+import { inflate } from "./inflate.js";
+
+function bytesOfBase64(text) {
+  const characters = atob(text);
+  const bytes = new Uint8Array(characters.length);
+  for (let i = 0; i < bytes.length; ++i) bytes[i] = characters.charCodeAt(i);
+  return bytes;
+}
+
+async function decompressed(bytes, size) {
+  if (typeof DecompressionStream === "undefined") return inflate(bytes, size);
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  const result = new Uint8Array(await new Response(stream).arrayBuffer());
+  if (result.length !== size) throw new Error(`damaged data: ${result.length} bytes, not ${size}`);
+  return result;
+}
+
+/** Numbers of `width` bytes from planes of bytes, with their signs unfolded (0, -1, 1, -2, ...). */
+function numbersOfPlanes(planes, width) {
+  const n = planes.length / width;
+  const numbers = new Int32Array(n);
+  for (let b = 0; b < width; ++b)
+    for (let i = 0, from = b * n; i < n; ++i) numbers[i] |= planes[from + i] << (8 * b);
+  for (let i = 0; i < n; ++i) numbers[i] = (numbers[i] >>> 1) ^ -(numbers[i] & 1);
+  return numbers;
+}
+
+function decodedFaces(planes) {
+  const faces = Uint32Array.from(numbersOfPlanes(planes, 4));
+  for (let i = 1; i < faces.length; ++i) faces[i] += faces[i - 1];
+  return faces;
+}
+
+/** For each vertex the neighbour from which it is predicted. */
+function parentsOf(faces, n) {
+  const parents = new Int32Array(n).fill(-1);
+  const offer = (v, w) => {
+    if (w < v && w > parents[v]) parents[v] = w;
+  };
+  for (let i = 0; i < faces.length; i += 3) {
+    const a = faces[i], b = faces[i + 1], c = faces[i + 2];
+    offer(a, b);
+    offer(a, c);
+    offer(b, a);
+    offer(b, c);
+    offer(c, a);
+    offer(c, b);
+  }
+  for (let v = 1; v < n; ++v) if (parents[v] < 0) parents[v] = v - 1;
+  return parents;
+}
+
+/**
+ * Adds the prediction to the residuals of a frame, which start at `from`, and puts the numbers into every `stride`-th
+ * element of `now`, from `first` on. `before` is the frame before, or null.
+ */
+function addPrediction(residuals, from, parents, mask, before, now, stride, first) {
+  for (let v = 0; v < parents.length; ++v) {
+    const i = stride * v + first;
+    let number = residuals[from + v];
+    if (before !== null) number += before[i];
+    if (v > 0) {
+      const p = stride * parents[v] + first;
+      number += now[p];
+      if (before !== null) number -= before[p];
+    }
+    now[i] = number & mask;
+  }
+}
+
+/** An array of four 16-bit numbers a vertex for each frame: three coordinates, and room for the value of a field. */
+export const VERTEX_STRIDE = 4;
+
+/**
+ * What is shown: the description, and
+ * - `faces`: three vertices for each triangle,
+ * - `positions[k]`: the grid numbers in the k-th kept frame, VERTEX_STRIDE for each vertex,
+ * - `fields[i].values[k]`: 0 to 255 for each vertex.
+ */
+export class Scene {
+  static async read(document) {
+    const text = (id) => {
+      const element = document.getElementById(id);
+      if (element === null) throw new Error("This page has no scene in it. It is made by: detect_features --html FILE");
+      return element.textContent;
+    };
+    const scene = new Scene();
+    Object.assign(scene, JSON.parse(text("scene")));
+    const bytes = (id, size) => decompressed(bytesOfBase64(text(id)), size);
+
+    const n = scene.vertices, kept = scene.kept_frames.length;
+    const faceBytes = bytes("scene-faces", 12 * scene.faces);
+    const positionBytes = bytes("scene-positions", 6 * n * kept);
+    const fieldBytes = scene.fields.map((_, i) => bytes(`scene-field-${i}`, n * kept));
+
+    scene.faces = decodedFaces(await faceBytes);
+    const parents = parentsOf(scene.faces, n);
+    const residuals = numbersOfPlanes(await positionBytes, 2);
+    scene.positions = [];
+    for (let k = 0; k < kept; ++k) {
+      const now = new Uint16Array(VERTEX_STRIDE * n);
+      for (let c = 0; c < 3; ++c)
+        addPrediction(residuals, (3 * k + c) * n, parents, 0xffff, scene.positions[k - 1] ?? null, now, VERTEX_STRIDE, c);
+      scene.positions.push(now);
+    }
+    for (let i = 0; i < scene.fields.length; ++i) {
+      const field = scene.fields[i];
+      const fieldResiduals = numbersOfPlanes(await fieldBytes[i], 1);
+      field.values = [];
+      for (let k = 0; k < kept; ++k) {
+        const now = new Uint8Array(n);
+        addPrediction(fieldResiduals, k * n, parents, 0xff, field.values[k - 1] ?? null, now, 1, 0);
+        field.values.push(now);
+      }
+    }
+    scene.prepare();
+    return scene;
+  }
+
+  prepare() {
+    this.duration = (this.frames - 1) * this.frame_duration;
+    // Lengths are measured from the centre of the whole animation: graphics cards count in single precision only.
+    const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+    this.boxes = this.positions.map((numbers, k) => {
+      const min = [65535, 65535, 65535], max = [0, 0, 0];
+      for (let i = 0; i < numbers.length; i += VERTEX_STRIDE)
+        for (let c = 0; c < 3; ++c) {
+          if (numbers[i + c] < min[c]) min[c] = numbers[i + c];
+          if (numbers[i + c] > max[c]) max[c] = numbers[i + c];
+        }
+      for (let c = 0; c < 3; ++c) {
+        min[c] = this.origin[c] + this.step * (this.corners[k][c] + min[c]);
+        max[c] = this.origin[c] + this.step * (this.corners[k][c] + max[c]);
+        low[c] = Math.min(low[c], min[c]);
+        high[c] = Math.max(high[c], max[c]);
+      }
+      return { min, max };
+    });
+    this.box = { min: low, max: high };
+    this.centre = low.map((x, c) => (x + high[c]) / 2);
+  }
+
+  /** What has to be added to the step times a number of the k-th kept frame, measured from the centre. */
+  offset(k) {
+    return this.corners[k].map((corner, c) => this.origin[c] - this.centre[c] + this.step * corner);
+  }
+
+  /** The kept frames around a time, and how far it is from the first to the second one. */
+  interval(time) {
+    const frame = Math.min(Math.max(time / this.frame_duration, 0), this.frames - 1);
+    const last = this.kept_frames.length - 1;
+    let k = last > 0 ? Math.min(Math.floor(frame / this.kept_frames[1]), last - 1) : 0;
+    const from = this.kept_frames[k], to = this.kept_frames[Math.min(k + 1, last)];
+    return { from: k, to: Math.min(k + 1, last), share: to > from ? Math.min((frame - from) / (to - from), 1) : 0 };
+  }
+
+  /** The position of vertex `v` in the k-th kept frame, in the input's coordinates. */
+  position(v, k) {
+    const i = VERTEX_STRIDE * v;
+    return [0, 1, 2].map((c) => this.origin[c] + this.step * (this.corners[k][c] + this.positions[k][i + c]));
+  }
+
+  /** The place of a feature on the surface at a time, in the input's coordinates. */
+  place(feature, time) {
+    const { from, to, share } = this.interval(time);
+    const place = [0, 0, 0];
+    feature.triangle.forEach((v, i) => {
+      const a = this.position(v, from), b = this.position(v, to);
+      for (let c = 0; c < 3; ++c) place[c] += feature.barycentric_coordinates[i] * (a[c] + share * (b[c] - a[c]));
+    });
+    return place;
+  }
+
+  /** How much of a feature is seen at a time, from 0 to 1. */
+  opacity(feature, time) {
+    const distance = Math.abs(time - feature.time) / feature.tau;
+    return distance <= 2 ? Math.exp((-distance * distance) / 2) : 0;
+  }
+}

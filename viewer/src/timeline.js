@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// All features over time: a bar from time - tau to time + tau at the height of its strength.
+
+import { css, durationColor } from "./colors.js";
+import { short } from "./format.js";
+
+const MARGIN = 10; // pixels, left and right, as far as the thumb of the slider beneath needs
+const BAR = 5, REACH = 7; // pixels
+
+export class Timeline {
+  constructor(canvas, scene, state, scale, onPick) {
+    Object.assign(this, { canvas, scene, state, scale });
+    this.strongest = scene.features.reduce((most, f) => Math.max(most, f.strength), 0);
+    this.hovered = -1;
+    new ResizeObserver(() => this.draw()).observe(canvas);
+    state.subscribe(() => this.draw());
+    let isDragging = false;
+    canvas.addEventListener("pointerdown", (event) => {
+      const i = this.featureAt(event.offsetX, event.offsetY);
+      if (i >= 0) return onPick(i);
+      isDragging = true;
+      canvas.setPointerCapture(event.pointerId);
+      this.seek(event.offsetX);
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      if (isDragging) return this.seek(event.offsetX);
+      const i = this.featureAt(event.offsetX, event.offsetY);
+      canvas.style.cursor = i >= 0 ? "pointer" : "crosshair";
+      canvas.title = i >= 0 ? this.describe(i) : "";
+      if (i !== this.hovered) {
+        this.hovered = i;
+        this.draw();
+      }
+    });
+    canvas.addEventListener("pointerleave", () => {
+      this.hovered = -1;
+      this.draw();
+    });
+    for (const end of ["pointerup", "pointercancel"]) canvas.addEventListener(end, () => (isDragging = false));
+  }
+
+  describe(i) {
+    const f = this.scene.features[i];
+    return `Feature ${i + 1}: ${f.time.toFixed(3)} s, τ ${short(f.tau)} s, strength ${short(f.strength)}`;
+  }
+
+  seek(x) {
+    const share = (x - MARGIN) / (this.canvas.clientWidth - 2 * MARGIN);
+    this.state.set({ time: Math.min(Math.max(share, 0), 1) * this.scene.duration, playing: false });
+  }
+
+  x(time) {
+    return MARGIN + (time / this.scene.duration) * (this.canvas.clientWidth - 2 * MARGIN);
+  }
+
+  y(strength) {
+    const height = this.canvas.clientHeight;
+    return height - 8 - (this.strongest > 0 ? strength / this.strongest : 0) * (height - 18);
+  }
+
+  featureAt(x, y) {
+    let best = -1, least = REACH;
+    this.scene.features.forEach((f, i) => {
+      if (f.strength < this.state.values.threshold) return;
+      const along = Math.max(this.x(f.time - f.tau) - x, x - this.x(f.time + f.tau), 0);
+      const distance = Math.hypot(along, y - this.y(f.strength)) + 0.02 * Math.abs(x - this.x(f.time));
+      if (distance < least) [best, least] = [i, distance];
+    });
+    return best;
+  }
+
+  draw() {
+    const { clientWidth: width, clientHeight: height } = this.canvas, ratio = window.devicePixelRatio;
+    if (width === 0) return;
+    if (this.canvas.width !== Math.round(width * ratio) || this.canvas.height !== Math.round(height * ratio)) {
+      this.canvas.width = Math.round(width * ratio);
+      this.canvas.height = Math.round(height * ratio);
+    }
+    const g = this.canvas.getContext("2d"), style = getComputedStyle(document.documentElement);
+    const color = (name) => style.getPropertyValue(name).trim();
+    const { threshold, time, selected } = this.state.values;
+    g.setTransform(ratio, 0, 0, ratio, 0, 0);
+    g.clearRect(0, 0, width, height);
+    this.drawSeconds(g, height, color);
+
+    g.lineCap = "round";
+    const order = this.scene.features.map((_, i) => i).reverse(); // the strongest on top
+    for (const i of order) {
+      const f = this.scene.features[i], y = this.y(f.strength), rgb = durationColor(this.scale(f.tau));
+      const isIn = f.strength >= threshold, isMarked = i === selected || i === this.hovered;
+      const alpha = isIn ? 1 : 0.22;
+      const stroke = (from, to, lineWidth, strokeStyle) => {
+        Object.assign(g, { lineWidth, strokeStyle });
+        g.beginPath();
+        g.moveTo(this.x(Math.max(from, 0)), y);
+        g.lineTo(this.x(Math.min(to, this.scene.duration)), y);
+        g.stroke();
+      };
+      if (isMarked) stroke(f.time - f.tau, f.time + f.tau, BAR + 5, color("--ink"));
+      if (isMarked) stroke(f.time - f.tau, f.time + f.tau, BAR + 2, color("--panel"));
+      stroke(f.time - f.tau, f.time + f.tau, BAR, css(rgb, isMarked ? 0.75 : 0.38 * alpha));
+      g.fillStyle = css(rgb, alpha);
+      g.beginPath();
+      g.arc(this.x(f.time), y, isMarked ? 4.2 : 3.2, 0, 2 * Math.PI);
+      g.fill();
+    }
+
+    g.lineCap = "butt";
+    g.strokeStyle = color("--muted");
+    g.lineWidth = 1;
+    g.setLineDash([3, 4]);
+    g.beginPath();
+    g.moveTo(0, this.y(threshold) + 0.5);
+    g.lineTo(width, this.y(threshold) + 0.5);
+    g.stroke();
+    g.setLineDash([]);
+    g.strokeStyle = color("--ink");
+    g.lineWidth = 2;
+    g.beginPath();
+    g.moveTo(this.x(time), 0);
+    g.lineTo(this.x(time), height);
+    g.stroke();
+  }
+
+  /** Thin lines at whole multiples of a nice step. */
+  drawSeconds(g, height, color) {
+    const rough = this.scene.duration / Math.max(2, this.canvas.clientWidth / 90);
+    const power = 10 ** Math.floor(Math.log10(rough));
+    const step = [1, 2, 5, 10].map((m) => m * power).find((s) => s >= rough);
+    g.strokeStyle = color("--line");
+    g.fillStyle = color("--muted");
+    g.lineWidth = 1;
+    g.font = "10px system-ui, sans-serif";
+    g.textBaseline = "top";
+    for (let i = 0; i * step <= this.scene.duration * (1 + 1e-9); ++i) {
+      const x = Math.round(this.x(i * step)) + 0.5;
+      g.beginPath();
+      g.moveTo(x, 0);
+      g.lineTo(x, height);
+      g.stroke();
+      const text = `${+(i * step).toPrecision(6)} s`;
+      if (x + 4 + g.measureText(text).width < this.canvas.clientWidth) g.fillText(text, x + 3, 1);
+    }
+  }
+}
