@@ -635,10 +635,12 @@ usage "resolve" c.obj c.pc2 -o old.json --sigma-range 0.0001%:0.0002%
 "$program" big.obj big.pc2 --alpha 0 -o x.json --write-field strain:- 2>err | head -c 1 >/dev/null
 [[ ${PIPESTATUS[0]} -eq 4 ]] || fail "a reader that goes away"
 nothing_written
-code="$(python3 tool.py interrupt "$program" big.obj big.pc2 --balls heat-global --threads 1 -o old.json -o x.json)"
+code="$(python3 tool.py interrupt "$program" big.obj big.pc2 --balls heat-global --threads 1 -o old.json -o x.json \
+  --vtk interrupted --glb interrupted.glb)"
 [[ "$code" == 130 ]] || fail "SIGINT: $code"
 nothing_written
 [[ "$(cat old.json)" == old ]] || fail "an old file was replaced in spite of an interruption"
+[[ -z "$(find . -name 'interrupted*')" ]] || fail "a scene is there in spite of an interruption"
 
 [[ $failed -eq 0 ]] && echo "detect_features: $checks checks, all as expected"
 exit $failed

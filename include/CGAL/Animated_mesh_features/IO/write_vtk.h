@@ -70,7 +70,10 @@ public:
   void write(std::ostream& os, const Scene_frame& frame, const std::vector<Scene_field<FT>>& fields, double time) const
   {
     Vtp_output out(frame.xyz.size() / 3, 0, m_ends.size(), time);
-    out.begin("PointData", fields.empty() ? std::string() : fields.front().name);
+    if (fields.empty())
+      out.begin("PointData");
+    else
+      out.begin("PointData", fields.front().name);
     for (std::size_t i = 0; i < fields.size(); ++i) out.array(fields[i].name, frame.fields[i]);
     out.end("PointData");
     out.begin("Points");
