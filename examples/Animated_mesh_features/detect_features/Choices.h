@@ -25,7 +25,7 @@ enum class Spatial_filter { HEAT, ONE_RING };
 enum class Temporal_filter { GAUSSIAN, BOX };
 enum class Field { STRAIN, CURVATURE, DEFORMATION };
 enum class Format { JSON, CSV, PLY };
-enum class Scene_format { HTML, VTK, GLB, PLOT }; // each has an option of its own
+enum class Scene_format { HTML, VTK, GLB, PLOT, PNG }; // each has an option of its own
 
 template <class Choice>
 using Names = std::vector<std::pair<std::string, Choice>>;
@@ -74,7 +74,8 @@ inline Names<Scene_format> names(Scene_format)
   return {{"html", Scene_format::HTML},
           {"vtk", Scene_format::VTK},
           {"glb", Scene_format::GLB},
-          {"plot", Scene_format::PLOT}};
+          {"plot", Scene_format::PLOT},
+          {"png", Scene_format::PNG}};
 }
 
 template <class Choice>

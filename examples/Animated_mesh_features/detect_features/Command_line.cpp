@@ -28,8 +28,8 @@ struct Text
 {
   std::string fps, rest, preset, spatial_filter, temporal_filter, strain, curvature, balls, box_width, ball_radius,
       alpha, sigma_range, tau_range, threshold, absolute_threshold, threads, memory, scratch;
-  std::string html, html_every, vtk, glb, plot;
-  std::vector<std::string> outputs, fields;
+  std::string html, html_every, vtk, glb, plot, png, png_size, png_background, view, up;
+  std::vector<std::string> outputs, fields, picture_frames;
 };
 
 po::typed_value<std::string>* text(std::string& to, const char* name)
@@ -114,6 +114,21 @@ po::options_description described_options(Command_line& c, Text& t)
              "features as spheres that come and go");
   add_output("plot", text(t.plot, "FILE"),
              "a plot (SVG) of the features over time, and of how many there are of which sigma and tau");
+  add_output("png", text(t.png, "FILE"),
+             "a picture (PNG) of the surface, coloured by the deformation, with the features as spheres (radius sqrt(2) "
+             "sigma; blue: long, red: short), in the frames that --frame tells (default: those of the strongest "
+             "features, at most 6)");
+  add_output("frame", texts(t.picture_frames, "N"),
+             "a frame to be shown in the picture, counted from 0; repeatable: several are shown beside each other");
+  add_output("png-size", text(t.png_size, "WxH"), "the size of the picture in pixels (default: 1600x1000)");
+  add_output("png-background", text(t.png_background, "RRGGBB"),
+             "its background, hexadecimal (default: ffffff, white)");
+  add_output("view", text(t.view, "AZIMUTH,ELEVATION"),
+             "where the picture is taken from, in degrees: around the vertical axis, counterclockwise seen from above, "
+             "from +z if y points up and from +x if z does; above the horizon, -89 to 89 (default: obliquely from the "
+             "side on which the body is widest, and more of the strong features are seen, slightly from above)");
+  add_output("up", text(t.up, "AXIS"),
+             "the axis that points up in the picture: x, y or z (default: y or z, on which the body stands)");
   add_output("quiet,q", po::bool_switch(&c.quiet), "say nothing but errors");
   add_output("verbose,v", po::bool_switch(&c.verbose), "tell about the data, and the time and memory of each stage");
 
@@ -312,6 +327,45 @@ Requested_file<Field> requested_field(const std::string& text)
   throw Option_error("--write-field " + text + ": write strain:FILE, curvature:FILE or deformation:FILE");
 }
 
+void set_picture(const Text& t, Command_line& c)
+{
+  const auto check_goes_with_png = [&](const std::string& option, bool is_given) {
+    if (is_given && t.png.empty()) throw Option_error(option + " goes with --png, the picture that it is about");
+  };
+  check_goes_with_png("--frame", !t.picture_frames.empty());
+  check_goes_with_png("--png-size", !t.png_size.empty());
+  check_goes_with_png("--png-background", !t.png_background.empty());
+  check_goes_with_png("--view", !t.view.empty());
+  check_goes_with_png("--up", !t.up.empty());
+  for (const std::string& f : t.picture_frames) c.picture.frames.push_back(count("--frame", f));
+  if (!t.png_size.empty()) {
+    const std::size_t by = t.png_size.find('x');
+    if (by == std::string::npos) throw Option_error("--png-size: \"" + t.png_size + "\" is no size such as 1600x1000");
+    c.picture.width = count("--png-size", t.png_size.substr(0, by));
+    c.picture.height = count("--png-size", t.png_size.substr(by + 1));
+  }
+  if (!t.png_background.empty()) {
+    const std::string hex = t.png_background[0] == '#' ? t.png_background.substr(1) : t.png_background;
+    if (hex.size() != 6 || hex.find_first_not_of("0123456789abcdefABCDEF") != std::string::npos)
+      throw Option_error("--png-background: \"" + t.png_background + "\" is no colour such as ffffff");
+    for (std::size_t i = 0; i < 3; ++i)
+      c.picture.background[i] = std::uint8_t(std::strtoul(hex.substr(2 * i, 2).c_str(), nullptr, 16));
+  }
+  if (!t.view.empty()) {
+    const std::size_t comma = t.view.find(',');
+    if (comma == std::string::npos)
+      throw Option_error("--view: \"" + t.view + "\" is no pair of angles such as 30,10");
+    c.picture.azimuth = number("--view", t.view.substr(0, comma));
+    c.picture.elevation = number("--view", t.view.substr(comma + 1));
+  }
+  if (!t.up.empty()) {
+    if (t.up != "x" && t.up != "y" && t.up != "z")
+      throw Option_error("--up: there is no \"" + t.up + "\"; choose among x, y, z");
+    c.picture.up_axis = t.up[0] - 'x';
+  }
+  CGAL::Animated_mesh_features::IO::check_picture_options(c.picture);
+}
+
 // Files that show the features on the surface; whoever asks for one does not ask for JSON on the standard output.
 void set_scenes(const Text& t, Command_line& c)
 {
@@ -322,6 +376,11 @@ void set_scenes(const Text& t, Command_line& c)
   add(Scene_format::VTK, t.vtk);
   add(Scene_format::GLB, t.glb);
   add(Scene_format::PLOT, t.plot);
+  add(Scene_format::PNG, t.png);
+#ifndef DETECT_FEATURES_WITH_PICTURES
+  if (!t.png.empty())
+    throw Option_error("--png: this program was built without pictures: zlib was missing, or they were switched off");
+#endif
   if (!t.html_every.empty()) {
     if (t.html.empty()) throw Option_error("--html-every goes with --html, the page that it is about");
     c.html_frame_step = count("--html-every", t.html_every);
@@ -417,6 +476,7 @@ Command_line parse_command_line(int argc, const char* const* argv)
   set_rest(t.rest, c);
   set_method(t, c);
   set_scenes(t, c);
+  set_picture(t, c);
   set_outputs(t, c);
   return c;
 }

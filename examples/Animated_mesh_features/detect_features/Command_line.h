@@ -9,6 +9,8 @@
 
 #include "Choices.h"
 
+#include <CGAL/Animated_mesh_features/IO/Picture_options.h>
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -76,6 +78,7 @@ struct Command_line
   std::vector<Requested_file<Field>> fields;
   std::vector<Requested_file<Scene_format>> scenes;
   std::size_t html_frame_step = 0; // 0: as the size of the page allows
+  CGAL::Animated_mesh_features::IO::Picture_options picture;
 
   std::size_t threads = 0;           // 0: all
   std::optional<std::size_t> memory; // bytes

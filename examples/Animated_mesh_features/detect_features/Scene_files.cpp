@@ -12,6 +12,9 @@
 #include <CGAL/Animated_mesh_features/IO/Output_folder.h>
 #include <CGAL/Animated_mesh_features/IO/write_glb.h>
 #include <CGAL/Animated_mesh_features/IO/write_plot.h>
+#ifdef DETECT_FEATURES_WITH_PICTURES
+  #include <CGAL/Animated_mesh_features/IO/write_png.h>
+#endif
 #include <CGAL/Animated_mesh_features/IO/write_vtk.h>
 
 #include <ostream>
@@ -76,6 +79,14 @@ std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested, 
     return single_file(requested.path, [](std::ostream& os, const Shown_scene& scene) { AMF::IO::write_glb(os, scene); });
   case Scene_format::PLOT:
     return single_file(requested.path, [](std::ostream& os, const Shown_scene& scene) { AMF::IO::write_plot(os, scene); });
+  case Scene_format::PNG:
+#ifdef DETECT_FEATURES_WITH_PICTURES
+    return single_file(requested.path, [options = c.picture](std::ostream& os, const Shown_scene& scene) {
+      AMF::IO::write_png(os, scene, options);
+    });
+#else
+    break; // refused by the command line
+#endif
   }
   return nullptr;
 }

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_RENDERING_IMAGE_H
+#define CGAL_ANIMATED_MESH_FEATURES_RENDERING_IMAGE_H
+
+#include <CGAL/Animated_mesh_features/Rendering/Colour.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace Rendering {
+
+/// a rectangle of pixels, row by row from the top left.
+template <class Pixel>
+class Image_of
+{
+public:
+  Image_of() = default;
+  Image_of(std::size_t width, std::size_t height, const Pixel& pixel = Pixel())
+    : m_width(width)
+    , m_height(height)
+    , m_pixels(width * height, pixel)
+  {}
+
+  std::size_t width() const { return m_width; }
+  std::size_t height() const { return m_height; }
+  Pixel& operator()(std::size_t x, std::size_t y) { return m_pixels[y * m_width + x]; }
+  const Pixel& operator()(std::size_t x, std::size_t y) const { return m_pixels[y * m_width + x]; }
+  const std::vector<Pixel>& pixels() const { return m_pixels; }
+
+private:
+  std::size_t m_width = 0, m_height = 0;
+  std::vector<Pixel> m_pixels;
+};
+
+/// an image in linear light.
+typedef Image_of<Colour> Image;
+
+} // namespace Rendering
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_RENDERING_IMAGE_H

@@ -1,0 +1,156 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Animated_mesh_features authors.
+#
+# This file is part of the package Animated_mesh_features for CGAL.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# The pictures that detect_features writes: every option, decoded by a reader of PNG in Python.
+# DETECT_FEATURES and MAKE_ANIMATION are the programs; without them, or without python3, the test is skipped (77).
+
+set -u
+program="${DETECT_FEATURES:-}"
+generator="${MAKE_ANIMATION:-}"
+if [[ -z "$program" || -z "$generator" ]] || ! command -v python3 >/dev/null; then
+  echo "skipped: needs DETECT_FEATURES, MAKE_ANIMATION and python3"
+  exit 77
+fi
+
+folder="$(mktemp -d)"
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failed=0
+checks=0
+
+fail() {
+  echo "failed: $*"
+  failed=1
+}
+
+"$generator" cylinder --vertices 1000 --fps 10 -o c >/dev/null || fail "make_animation"
+
+"$program" c.obj c.pc2 --fps 10 --png x.png --png-size 300x200 -q 2>err
+if grep -q "built without pictures" err; then
+  [[ ! -e x.png ]] || fail "a picture in spite of an error"
+  echo "skipped: the program was built without pictures"
+  exit $((failed ? 1 : 77))
+fi
+
+cat >png.py <<'PYTHON'
+import struct, sys, zlib
+
+
+def rows(path):
+    """The pixels of a PNG, 8 bits RGB without interlace: a list of rows, each a list of (r, g, b)."""
+    data = open(path, "rb").read()
+    assert data[:8] == b"\x89PNG\r\n\x1a\n"
+    at, chunks = 8, []
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        content = data[at + 8:at + 8 + length]
+        assert struct.unpack(">I", data[at + 8 + length:at + 12 + length])[0] == zlib.crc32(kind + content)
+        chunks.append((kind, content))
+        at += 12 + length
+    assert [k for k, _ in chunks] == [b"IHDR", b"sRGB", b"IDAT", b"IEND"]
+    width, height, *kind = struct.unpack(">IIBBBBB", chunks[0][1])
+    assert kind == [8, 2, 0, 0, 0]
+    raw, n = zlib.decompress(chunks[2][1]), 3 * width
+    assert len(raw) == height * (n + 1)
+    above, result = bytearray(n + 3), []
+    for y in range(height):
+        line, row = raw[y * (n + 1):(y + 1) * (n + 1)], bytearray(n + 3)
+        for i in range(n):
+            a, b, c = row[i], above[i + 3], above[i]
+            p = a + b - c
+            paeth = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
+            row[i + 3] = (line[i + 1] + (0, a, b, (a + b) // 2, paeth)[line[0]]) & 255
+        above = row
+        result.append([tuple(row[i:i + 3]) for i in range(3, n + 3, 3)])
+    return result
+
+
+def body(picture):
+    """The bounding box of what is neither white nor a grey shadow, between the label and the legend."""
+    h = len(picture)
+    inside = [(x, y) for y in range(h // 8, h * 7 // 8) for x, p in enumerate(picture[y]) if max(p) - min(p) > 10]
+    return [f(i) for i in zip(*inside) for f in (min, max)]
+
+
+names = {n: rows(n + ".png") for n in sys.argv[2].split(",")}
+ok = eval("(" + sys.argv[1] + ")", {**names, "body": body, "size": lambda p: (len(p[0]), len(p))})
+sys.exit(0 if ok else 1)
+PYTHON
+
+# check <python expression> <pictures, separated by commas>
+check() {
+  checks=$((checks + 1))
+  python3 png.py "$1" "$2" || fail "$1"
+}
+
+# picture <name> <options...>
+picture() {
+  local name="$1"
+  shift
+  checks=$((checks + 1))
+  rm -f "$name.png"
+  "$program" c.obj c.pc2 --fps 10 -q --png "$name.png" "$@" >out 2>err </dev/null || fail "$*: $(cat err)"
+  [[ ! -s out ]] || fail "$*: something on the standard output"
+}
+
+# refuses <part of the message> <options...>: exit code 2, and no picture
+refuses() {
+  local message="$1"
+  shift
+  checks=$((checks + 1))
+  rm -f x.png
+  "$program" c.obj c.pc2 --fps 10 -q "$@" >out 2>err </dev/null
+  local code=$?
+  [[ $code -eq 2 ]] || fail "$*: exit code $code, not 2: $(head -c 300 err)"
+  grep -qF -- "$message" err || fail "$*: no message \"$message\" but: $(head -c 300 err)"
+  [[ ! -e x.png && -z "$(find . -name '.*.tmp')" ]] || fail "$*: files in spite of an error"
+}
+
+check 'size(x) == (300, 200)' x
+
+picture one --frame 10 --png-size 200x160
+check 'size(one) == (200, 160) and one[0][0] == one[80][3] == one[159][199] == (255, 255, 255)' one
+picture again --frame 10 --png-size 200x160 --threads 1
+cmp -s one.png again.png || fail "other pixels with one thread"
+picture other --frame 12 --png-size 200x160
+cmp -s one.png other.png && fail "--frame has no effect"
+picture two --frame 10 --frame 12 --png-size 400x160
+check 'any(min(p) < 120 for p in two[80][:200]) and any(min(p) < 120 for p in two[80][200:])' two
+picture night --frame 10 --png-size 200x160 --png-background 10203f
+check 'night[0][0] == (16, 32, 63)' night
+# The cylinder stands upright along z: lying, it is wider than high.
+picture upright --frame 0 --png-size 240x240 --view 0,0
+picture same --frame 0 --png-size 240x240 --view 0,0 --up z
+cmp -s upright.png same.png || fail "the up axis is not found"
+picture lying --frame 0 --png-size 240x240 --view 0,0 --up y
+check '(lambda a, b, c, d: d - c > 2 * (b - a))(*body(upright))' upright
+check '(lambda a, b, c, d: d - c > 2 * (b - a))(*body(lying)) == False' lying
+picture above --frame 0 --png-size 240x240 --view 0,80
+cmp -s upright.png above.png && fail "--view has no effect"
+picture behind --frame 10 --png-size 200x160 --view=-30,-20
+cmp -s one.png behind.png && fail "--view has no effect"
+
+refuses "there is no frame 20 to be shown; frames are 0 to 19" --png x.png --frame 20
+refuses "no number" --png x.png --frame last
+refuses "--frame goes with --png" --frame 1 -o json:x.png
+refuses "--png-size goes with --png" --png-size 100x100 -o json:x.png
+refuses "--view goes with --png" --view 1,2 -o json:x.png
+refuses "--up goes with --png" --up z -o json:x.png
+refuses "--png-background goes with --png" --png-background ffffff -o json:x.png
+refuses "64 to 16384" --png x.png --png-size 10x100
+refuses "too large" --png x.png --png-size 16384x16384
+refuses "no size" --png x.png --png-size 100
+refuses "no number" --png x.png --png-size 100xbig
+refuses "pair of angles" --png x.png --view 30
+refuses "no number" --png x.png --view 30,high
+refuses "less than 90" --png x.png --view 30,90
+refuses "choose among x, y, z" --png x.png --up w
+refuses "no colour" --png x.png --png-background white
+refuses "same file" --png x.png -o json:x.png
+
+echo "$checks checks"
+exit $failed
