@@ -24,7 +24,10 @@ say "Generating an animation"
 "$programs/make_animation" figure -o animation
 
 say "Detecting features"
-"$programs/detect_features" animation.obj animation.pc2 -o features.json -o features.csv -o features.ply
+view=()
+# the viewer could be built if Node.js is here
+if [ -s "$root/build/demo/viewer/viewer.html" ]; then view=(--html view.html); fi
+"$programs/detect_features" animation.obj animation.pc2 -o features.json -o features.csv -o features.ply "${view[@]}"
 
 say "The strongest features"
 # columns by their names in the first line; the rows come strongest first
