@@ -256,10 +256,11 @@ private:
     constexpr std::size_t around = Options::SpaceTimeResponse::below + Options::SpaceTimeResponse::above + 2;
     const std::size_t levels_in_memory = m_level_memory / level_size;
     engine.set_largest_batch(levels_in_memory > around ? levels_in_memory - around : 1);
+    const double noise = m_is_own_field ? 0 : internal::deformation_noise(animation());
+    engine.set_least_response(noise);
     const std::vector<internal::Extremum> extrema =
         engine.template run<ConcurrencyTag>(field, m_options.spatial_filter, visitor);
 
-    const double noise = m_is_own_field ? 0 : internal::deformation_noise(animation());
     std::vector<Feature> minima;
     minima.reserve(extrema.size());
     for (const internal::Extremum& e : extrema)

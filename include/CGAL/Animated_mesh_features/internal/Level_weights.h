@@ -7,6 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_INTERNAL_LEVEL_WEIGHTS_H
 #define CGAL_ANIMATED_MESH_FEATURES_INTERNAL_LEVEL_WEIGHTS_H
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -24,13 +25,19 @@ public:
   // some frames or vertices have minima of rounding errors there.
   static constexpr double noise = 1. / (1 << 30);
 
-  // For space levels [below, space_levels - above), time levels likewise.
+  // By how much, as a share of the same, a minimum is below its neighbours: what double precision rounds, many times.
+  // Where a field does not change in time, responses of successive frames differ by such errors only.
+  static constexpr double tie = noise / (1 << 10);
+
+  // For space levels [below, space_levels - above), time levels likewise. No response that is at most `least` counts.
   template <class Response>
-  Level_weights(const Response& response, std::size_t space_levels, std::size_t time_levels, double largest_value)
+  Level_weights(const Response& response, std::size_t space_levels, std::size_t time_levels, double largest_value,
+                double least)
     : m_time_levels(time_levels)
     , m_space(space_levels * time_levels, 0)
     , m_time(space_levels * time_levels, 0)
     , m_noise(noise * largest_value)
+    , m_least(least)
   {
     for (std::size_t k = Response::below; k + Response::above < space_levels; ++k)
       for (std::size_t l = Response::below; l + Response::above < time_levels; ++l) {
@@ -45,13 +52,19 @@ public:
   // A response that is not larger is no extremum.
   double floor(std::size_t k, std::size_t l) const
   {
-    return m_noise * (std::abs(space(k, l)) + std::abs(time(k, l)));
+    return (std::max)(m_least, m_noise * (std::abs(space(k, l)) + std::abs(time(k, l))));
+  }
+
+  // What is not below a neighbour by more is level with it.
+  double margin(std::size_t k, std::size_t l) const
+  {
+    return tie / noise * m_noise * (std::abs(space(k, l)) + std::abs(time(k, l)));
   }
 
 private:
   std::size_t m_time_levels;
   std::vector<double> m_space, m_time; // [k][l]
-  double m_noise;
+  double m_noise, m_least;
 };
 
 } // namespace internal

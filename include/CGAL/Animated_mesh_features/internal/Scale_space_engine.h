@@ -11,10 +11,12 @@
 #include <CGAL/Animated_mesh_features/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/Visitor.h>
+#include <CGAL/Animated_mesh_features/internal/Difference_chains.h>
 #include <CGAL/Animated_mesh_features/internal/Exhaustive_proposer.h>
 #include <CGAL/Animated_mesh_features/internal/Extremum.h>
 #include <CGAL/Animated_mesh_features/internal/Extremum_decision.h>
 #include <CGAL/Animated_mesh_features/internal/Level_batch.h>
+#include <CGAL/Animated_mesh_features/internal/Level_chains.h>
 #include <CGAL/Animated_mesh_features/internal/Level_weights.h>
 #include <CGAL/Animated_mesh_features/internal/Temporal_matrices.h>
 #include <CGAL/Animated_mesh_features/internal/Vectorized_proposer.h>
@@ -78,12 +80,16 @@ public:
   // for each, and for `below` + `above` + 2 more.
   void set_largest_batch(std::size_t levels) { m_largest_batch = levels; }
 
+  // Responses that are at most as large are none; default: 0.
+  void set_least_response(double least) { m_least_response = least; }
+
   void set_instruction_set(Instruction_set instructions) { m_instructions = instructions; }
 
   template <class ConcurrencyTag, class FT, class SpatialFilter, class Visitor>
   std::vector<Extremum> run(const Spatio_temporal_field<FT>& field, SpatialFilter& spatial, Visitor& visitor)
   {
-    const Level_weights weights(m_response, m_space_levels, m_time_levels, largest_value(field));
+    const Level_weights weights(m_response, m_space_levels, m_time_levels, largest_value(field),
+                                m_least_response);
     Temporal_matrices<TemporalFilter> matrices(m_temporal, m_frames, m_time_levels);
     const auto run_with = [&](std::size_t fitting, const auto& make_proposer) {
       return run_batches<ConcurrencyTag>(field, spatial, visitor, weights, matrices, fitting, make_proposer);
@@ -200,7 +206,7 @@ private:
               Temporal_matrices<TemporalFilter>& matrices,
               std::vector<Extremum>& extrema)
   {
-    constexpr std::size_t vertices_at_once = std::size_t(1) << 16;
+    constexpr std::size_t vertices_at_once = std::size_t(1) << 14;
     const std::size_t n = m_shape.number_of_vertices(), parts = (n + vertices_at_once - 1) / vertices_at_once;
     for (std::size_t part = 0; part < parts; ++part) {
       const std::size_t first = part * vertices_at_once, last = (std::min)(n, first + vertices_at_once);
@@ -277,6 +283,7 @@ private:
   const Response& m_response;
   const Search& m_search;
   std::size_t m_largest_batch = std::size_t(-1);
+  double m_least_response = 0;
   Instruction_set m_instructions = widest_instruction_set();
 };
 

@@ -31,14 +31,29 @@ double largest_value(const Spatio_temporal_field<FT>& field)
   return double(largest);
 }
 
-// A hundred times the rounding of the coordinates, as a fraction of an edge: that much strain and curvature change are
-// wrong by.
+// Whether all coordinates are numbers of single precision, as those of point caches and of most meshes are.
+template <class FT>
+bool is_in_single_precision(const Spatio_temporal_field<FT>& field)
+{
+  for (std::size_t v = 0; v < field.number_of_rows(); ++v)
+    for (std::size_t f = 0; f < field.number_of_frames(); ++f)
+      if (FT(float(field(v, f))) != field(v, f)) return false;
+  return true;
+}
+
+// By how much strain and curvature change are wrong because coordinates are rounded, as a fraction of an edge: a hundred
+// times the rounding in which they are computed; twice that with which they came. A deformation has several of the
+// latter, of both ends of some edges, but smoothing has averaged them before there is a response.
 template <class FT>
 double deformation_noise(const Flat_animation<FT>& animation)
 {
   const double largest =
       (std::max)({largest_value(animation.x), largest_value(animation.y), largest_value(animation.z)});
-  return 100 * double(std::numeric_limits<FT>::epsilon()) * largest / animation.rest.mean_edge_length();
+  const bool came_rounded = is_in_single_precision(animation.x) && is_in_single_precision(animation.y) &&
+                            is_in_single_precision(animation.z);
+  const double rounding = (std::max)(100 * double(std::numeric_limits<FT>::epsilon()),
+                                     came_rounded ? 2 * double(std::numeric_limits<float>::epsilon()) : 0.);
+  return rounding * largest / animation.rest.mean_edge_length();
 }
 
 } // namespace internal
