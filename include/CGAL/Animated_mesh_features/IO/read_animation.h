@@ -13,6 +13,7 @@
 #include <CGAL/Animated_mesh_features/internal/parallel_for.h>
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
 #include <CGAL/Animated_mesh_features/IO/Point_cache_reader.h>
+#include <CGAL/Animated_mesh_features/IO/Vertex_origins.h>
 #include <CGAL/Animated_mesh_features/IO/check_same_connectivity.h>
 #include <CGAL/Animated_mesh_features/IO/frame_files_in_folder.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Field_filler.h>
@@ -51,7 +52,7 @@ struct Animation_file_data
   /// `F`
   std::size_t frames = 0;
 
-  /// the time of each frame (s) if the file tells it (MDD), else empty.
+  /// the time of each frame (s) if the file tells it (MDD, clips of models), else empty.
   std::vector<double> times;
 
   /// the coordinates, `N x F` each.
@@ -60,12 +61,22 @@ struct Animation_file_data
   /// the files: mesh and cache, or a mesh for each frame, in their order.
   std::vector<std::string> sources;
 
+  /// the names of all animations in the file, and which of them this is; empty where there is but one, without a name.
+  std::vector<std::string> clips;
+  std::size_t clip = 0;
+
+  /// empty if vertices are those of the file.
+  Vertex_origins origins;
+
+  /// what was left out or changed on reading, for the user: a sentence each.
+  std::vector<std::string> remarks;
+
   /// where a frame comes from, for messages.
   std::string frame_name(std::size_t frame) const
   {
-    return internal::is_cache_ending(internal::ending(sources.back()))
-               ? sources.back() + ", frame " + std::to_string(frame)
-               : sources[frame];
+    return internal::is_mesh_ending(internal::ending(sources.back()))
+               ? sources[frame]
+               : sources.back() + ", frame " + std::to_string(frame);
   }
 };
 

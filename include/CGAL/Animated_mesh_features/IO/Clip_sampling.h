@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_IO_CLIP_SAMPLING_H
+#define CGAL_ANIMATED_MESH_FEATURES_IO_CLIP_SAMPLING_H
+
+#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/IO/Keyframed_model.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace IO {
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesIO
+
+Which clip of an animated model is taken, and at which times.
+
+The frames are equidistant, from the clip's first key to its last one, both included. By default their distance is that
+of the keys themselves, the commonest one: animations that were recorded or baked get their own frames back. Where keys
+are sparse, since the curves between them say the rest, it is divided by the smallest whole number that gives at least
+`least_frames` frames and `least_frames_per_second`, so that keys are still met.
+*/
+struct Clip_sampling
+{
+  /// a rate below which nothing is recorded: that of film.
+  static constexpr double least_frames_per_second = 24;
+  /// as many as it takes for some temporal scales between a frame and a sixth of the duration.
+  static constexpr std::size_t least_frames = 48;
+
+  std::string clip;                        ///< name, or index from 0; empty: the first clip
+  std::optional<std::size_t> frames;       ///< how many; at least 2
+  std::optional<double> frames_per_second; ///< if `frames` is not given
+};
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesIO
+
+the clips by name, for messages: `0 "Walk", 1 "Run"`.
+*/
+inline std::string clip_list(const std::vector<std::string>& names)
+{
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    list += (i > 0 ? ", " : "") + std::to_string(i) + " \"" + names[i] + "\"";
+  return list;
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesIO
+
+the index of the clip that `wanted` names, or else counts; the first one if `wanted` is empty.
+
+\param file for messages
+\throw Input_error if there are no clips.
+\throw Option_error if there is no such clip, or several of that name; the message lists all names.
+*/
+inline std::size_t find_clip(const std::vector<std::string>& names, const std::string& wanted, const std::string& file)
+{
+  if (names.empty()) throw Input_error(file + ": holds no animation");
+  if (wanted.empty()) return 0;
+  const std::size_t n = std::size_t(std::count(names.begin(), names.end(), wanted));
+  if (n == 1) return std::size_t(std::find(names.begin(), names.end(), wanted) - names.begin());
+  if (n > 1)
+    throw Option_error(file + ": several clips are called \"" + wanted + "\"; choose one by its number: " + clip_list(names));
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (std::to_string(i) == wanted) return i;
+  throw Option_error(file + ": there is no clip \"" + wanted + "\"; clips are " + clip_list(names));
+}
+
+/// the names of a model's clips.
+inline std::vector<std::string> clip_names(const Keyframed_model& model)
+{
+  std::vector<std::string> names;
+  for (const Keyframed_model::Clip& clip : model.clips) names.push_back(clip.name);
+  return names;
+}
+
+namespace internal {
+
+// The commonest distance of two keys of the same track; of several ones, the shortest.
+inline double commonest_step(const Keyframed_model::Clip& clip)
+{
+  std::vector<double> steps;
+  for (const Keyframed_model::Channel& channel : clip.channels)
+    for (std::size_t k = 1; k < channel.track.times.size(); ++k) {
+      const double step = channel.track.times[k] - channel.track.times[k - 1];
+      if (step > 0) steps.push_back(step);
+    }
+  std::sort(steps.begin(), steps.end());
+  // Times are in single precision: a step late in a clip is rounded more coarsely than an early one.
+  const double tolerance = 0.01;
+  double commonest = 0;
+  std::size_t most = 0;
+  for (std::size_t first = 0, last; first < steps.size(); first = last) {
+    double sum = 0;
+    for (last = first; last < steps.size() && steps[last] <= steps[first] * (1 + tolerance); ++last) sum += steps[last];
+    if (last - first > most) {
+      most = last - first;
+      commonest = sum / double(most);
+    }
+  }
+  return commonest;
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesIO
+
+the times of the frames (s), see `Clip_sampling`. \f$O(K \log K)\f$ for `K` keys.
+
+\throw Input_error if all keys of the clip are at one time.
+\throw Option_error if less than 2 frames are asked for.
+*/
+inline std::vector<double> frame_times(const Keyframed_model::Clip& clip, const Clip_sampling& sampling,
+                                       const std::string& file)
+{
+  double first = 0, last = 0;
+  bool is_empty = true;
+  for (const Keyframed_model::Channel& channel : clip.channels) {
+    if (channel.track.times.empty()) continue;
+    first = is_empty ? channel.track.times.front() : (std::min)(first, channel.track.times.front());
+    last = is_empty ? channel.track.times.back() : (std::max)(last, channel.track.times.back());
+    is_empty = false;
+  }
+  const double duration = last - first;
+  if (!(duration > 0)) throw Input_error(file + ": clip \"" + clip.name + "\" has no duration: it moves nothing");
+
+  const double most_frames = 1e9; // beyond, a rate or a key is nonsense
+  double intervals;
+  if (sampling.frames) {
+    if (*sampling.frames < 2) throw Option_error("an animation needs at least 2 frames");
+    intervals = double(*sampling.frames - 1);
+  } else if (sampling.frames_per_second) {
+    intervals = (std::max)(1., std::round(duration * *sampling.frames_per_second));
+  } else {
+    const double own = (std::max)(1., std::round(duration / internal::commonest_step(clip)));
+    // 23.976 frames in a second are as good as 24.
+    const double least = (std::max)(double(Clip_sampling::least_frames - 1),
+                                    std::floor(0.99 * duration * Clip_sampling::least_frames_per_second));
+    intervals = own * std::ceil(least / own);
+    if (own >= least) intervals = own;
+  }
+  if (!(intervals < most_frames))
+    throw Input_error(file + ": clip \"" + clip.name + "\" would have " + std::to_string(intervals + 1) + " frames");
+  const std::size_t n = std::size_t(intervals);
+  std::vector<double> times(n + 1);
+  for (std::size_t i = 0; i <= n; ++i) times[i] = first + duration * double(i) / double(n);
+  times.back() = last;
+  return times;
+}
+
+} // namespace IO
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_IO_CLIP_SAMPLING_H
