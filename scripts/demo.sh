@@ -2,11 +2,24 @@
 # From a fresh checkout to features: installs what is missing (Debian, Ubuntu), builds the two programs, generates an
 # animation of a moving figure, detects its features, and shows the strongest ones. Everything is written to the folder
 # demo_output of the checkout.
+#
+#   scripts/demo.sh          the figure
+#   scripts/demo.sh --hand   a hand that makes a fist and opens again, from a GLB file (see scripts/fetch_hands.sh)
 
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
+hand=false
+case "${1:-}" in
+  "") ;;
+  --hand) hand=true ;;
+  *) die "unknown option: $1" ;;
+esac
+
 bash "$root/scripts/install_dependencies.sh"
+if $hand; then
+  install_packages curl ca-certificates || echo "going on without curl"
+fi
 
 cd "$root"
 trap 'give_back "$root/build" "$root/demo_output"' EXIT
@@ -20,14 +33,21 @@ programs="$root/build/demo/examples/Animated_mesh_features"
 mkdir -p demo_output
 cd demo_output
 
-say "Generating an animation"
-"$programs/make_animation" figure -o animation
+if $hand; then
+  say "Fetching the hand"
+  bash "$root/scripts/fetch_hands.sh" hand || die "without the hand there is nothing to show"
+  input=(hand/rightHandHigh.glb --clip Fist --there-and-back)
+else
+  say "Generating an animation"
+  "$programs/make_animation" figure -o animation
+  input=(animation.obj animation.pc2)
+fi
 
 say "Detecting features"
 view=()
 # the viewer could be built if Node.js is here
 if [ -s "$root/build/demo/viewer/viewer.html" ]; then view=(--html view.html); fi
-"$programs/detect_features" animation.obj animation.pc2 -o features.json -o features.csv -o features.ply "${view[@]}"
+"$programs/detect_features" "${input[@]}" -o features.json -o features.csv -o features.ply "${view[@]}"
 
 say "The strongest features"
 # columns by their names in the first line; the rows come strongest first

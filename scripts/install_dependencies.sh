@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing for building the package on Debian (12 or newer) or Ubuntu (24.04 or newer).
 #
-#   scripts/install_dependencies.sh           compiler, CMake, CGAL, Eigen, Boost, oneTBB, zlib
+#   scripts/install_dependencies.sh           compiler, CMake, CGAL, Eigen, Boost, oneTBB, zlib; tinygltf, if it can be had
 #   scripts/install_dependencies.sh --tests   also what only the tests need
 
 set -euo pipefail
@@ -9,13 +9,15 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 packages=(g++ make cmake libcgal-dev libeigen3-dev libboost-dev libboost-program-options-dev libtbb-dev
   zlib1g-dev)
-# Without these a part of the tests is left out.
-optional=()
+# Without this glTF is not read; it is small. What reads other formats (libassimp-dev, libhdf5-dev) brings along a lot, and
+# is for whoever needs it.
+optional=(libtinygltf-dev)
+# Without these a part of the tests is left out, too.
 case "${1:-}" in
   "") ;;
   --tests)
     packages+=(ninja-build python3)
-    optional+=(ccache libopenmesh-dev clang python3-vtk9)
+    optional+=(ccache libopenmesh-dev clang python3-vtk9 libassimp-dev libhdf5-dev assimp-testmodels curl)
     # for the viewer; they may be there from elsewhere, and then Debian's would get in their way
     command -v npm > /dev/null || optional+=(nodejs npm)
     command -v chromium > /dev/null || optional+=(chromium)

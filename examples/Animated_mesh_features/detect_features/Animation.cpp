@@ -6,6 +6,8 @@
 
 #include "Animation.h"
 
+#include "Model_file.h"
+
 #include <CGAL/Animated_mesh_features/IO/check_same_connectivity.h>
 #include <CGAL/Animated_mesh_features/IO/read_mesh.h>
 #include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>
@@ -24,6 +26,21 @@ namespace Detect_features {
 namespace {
 
 const double default_frames_per_second = 30;
+
+void check_options(const Command_line& c, Model_format format)
+{
+  const bool is_model = format == Model_format::GLTF || format == Model_format::ASSIMP;
+  if (c.clip_frames && !is_model)
+    throw AMF::Option_error(
+        "--frames goes with an animated model, of which frames are made; other inputs have their own");
+  if (c.there_and_back && !is_model)
+    throw AMF::Option_error("--there-and-back goes with an animated model, of which frames are made");
+  if (c.clip_frames && *c.clip_frames < 3) throw AMF::Option_error("--frames: at least 3 are needed");
+  if (!c.clip.empty() && format == Model_format::NONE)
+    throw AMF::Option_error("--clip goes with a file that holds several animations: an animated model, or HDF5");
+  if (!c.faces_dataset.empty() && format != Model_format::HDF5)
+    throw AMF::Option_error("--faces goes with an HDF5 file");
+}
 
 AMF::IO::Mesh_reading_options reading_options(const Command_line& c)
 {
@@ -56,14 +73,31 @@ double frame_duration(const std::vector<double>& times, const std::string& file)
 
 Animation::Animation(const Command_line& command_line, const AMF::IO::Size_observer& observe_size)
 {
-  File_data data = AMF::IO::read_animation<FT>(command_line.inputs, reading_options(command_line), observe_size);
+  const Model_format format = model_format(command_line.inputs);
+  check_options(command_line, format);
+  File_data data = format == Model_format::NONE
+                       ? AMF::IO::read_animation<FT>(command_line.inputs, reading_options(command_line), observe_size)
+                       : read_model_file(command_line, format, observe_size);
+  m_is_sampled = format == Model_format::GLTF || format == Model_format::ASSIMP;
   if (data.frames < 3)
     throw AMF::Input_error(data.sources.back() + ": the animation has " + std::to_string(data.frames) +
                            " frames; at least 3 are needed, since a feature has a frame before and one behind it");
   set_clock(command_line, data);
+  take_notes(data);
   m_mesh = AMF::IO::to_surface_mesh(data.mesh, data.sources.front());
   m_sequence.emplace(m_mesh, std::move(data.x), std::move(data.y), std::move(data.z), 1 / m_frames_per_second);
   set_rest(command_line, data);
+}
+
+void Animation::take_notes(File_data& data)
+{
+  m_clips = data.clips;
+  m_origins = std::move(data.origins);
+  m_remarks = std::move(data.remarks);
+  if (m_clips.empty()) return;
+  m_clip_name = m_clips[data.clip];
+  if (m_clip_name.empty() || std::count(m_clips.begin(), m_clips.end(), m_clip_name) > 1)
+    m_clip_name = std::to_string(data.clip);
 }
 
 void Animation::set_clock(const Command_line& command_line, const File_data& data)

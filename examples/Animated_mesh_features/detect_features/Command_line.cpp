@@ -29,6 +29,7 @@ struct Text
   std::string fps, rest, preset, spatial_filter, temporal_filter, strain, curvature, balls, box_width, ball_radius,
       alpha, sigma_range, tau_range, threshold, absolute_threshold, threads, memory, scratch;
   std::string html, html_every, vtk, glb, plot, png, png_size, png_background, view, up;
+  std::string clip, frames, faces, vertex_map; // of models
   std::vector<std::string> outputs, fields, picture_frames;
 };
 
@@ -48,7 +49,19 @@ po::options_description described_options(Command_line& c, Text& t)
   const auto group = [&](const char* title) { return po::options_description(title, line_length, description_length); };
   po::options_description input = group("Input");
   auto add_input = input.add_options();
-  add_input("fps", text(t.fps, "R"), "frames in a second (default: as the times in an MDD file tell, otherwise 30)");
+  add_input("fps", text(t.fps, "R"),
+            "frames in a second (default: as the times in an MDD file tell; for a clip see --frames; 60 for HDF5, as D-FAUST "
+            "has it; otherwise 30). A clip is sampled at this rate");
+  add_input("clip", text(t.clip, "NAME"),
+            "the clip of an animated model, or the sequence of an HDF5 file, by name, or by number from 0 (default: the "
+            "first; --verbose lists them)");
+  add_input("frames", text(t.frames, "N"),
+            "equidistant frames to make of a clip, from its first to its last key (default: the keys' own rate, their "
+            "commonest step, refined by a whole number where that gives less than 48 frames or 24 in a second)");
+  add_input("there-and-back", po::bool_switch(&c.there_and_back),
+            "play the clip to its end and back again: a gesture that is stored one way only grows to its end, and has no "
+            "moment of its own that could be a feature");
+  add_input("faces", text(t.faces, "NAME"), "the dataset of triangles in an HDF5 file (default: faces)");
   add_input("rest", text(t.rest, "SHAPE"),
             "the undeformed shape: a mesh FILE of the same connectivity, frame:N counted from 0, or average, the "
             "canonical shape of all frames (default: frame:0)");
@@ -129,6 +142,9 @@ po::options_description described_options(Command_line& c, Text& t)
              "side on which the body is widest, and more of the strong features are seen, slightly from above)");
   add_output("up", text(t.up, "AXIS"),
              "the axis that points up in the picture: x, y or z (default: y or z, on which the body stands)");
+  add_output("vertex-map", text(t.vertex_map, "FILE"),
+             "also write which vertices of the file, by part, the vertices of the results are made of (CSV); models for "
+             "pictures split vertices at seams, and split ones are welded on reading");
   add_output("quiet,q", po::bool_switch(&c.quiet), "say nothing but errors");
   add_output("verbose,v", po::bool_switch(&c.verbose), "tell about the data, and the time and memory of each stage");
 
@@ -404,6 +420,8 @@ void set_outputs(const Text& t, Command_line& c)
   for (const auto& o : c.outputs) check(o.path);
   for (const auto& f : c.fields) check(f.path);
   for (const auto& s : c.scenes) check(s.path);
+  c.vertex_map = t.vertex_map;
+  if (!c.vertex_map.empty()) check(c.vertex_map);
 }
 
 void store(int argc, const char* const* argv, Command_line& c, Text& t)
@@ -468,9 +486,12 @@ Command_line parse_command_line(int argc, const char* const* argv)
   }
   if (c.help || c.version) return c;
   if (c.inputs.empty())
-    throw Option_error("no input: give a mesh and a point cache, a folder, or a mesh for each frame");
+    throw Option_error("no input: give a mesh and a point cache, a folder, a mesh for each frame, or an animated model");
   if (c.quiet && c.verbose) throw Option_error("--quiet and --verbose exclude each other");
   if (!t.fps.empty()) c.frames_per_second = positive_number("--fps", t.fps);
+  c.clip = t.clip;
+  if (!t.frames.empty()) c.clip_frames = count("--frames", t.frames);
+  c.faces_dataset = t.faces;
   if (!t.threads.empty()) c.threads = count("--threads", t.threads);
   set_memory(t, c);
   set_rest(t.rest, c);
@@ -502,6 +523,9 @@ INPUT is one of
   MESH CACHE    a mesh (.obj, .off, .ply, .stl) and a point cache (.pc2, .mdd) with the positions of its vertices
   FOLDER        of meshes, one for each frame, in natural order: frame2.obj before frame10.obj
   MESH MESH...  the frames themselves, in natural order whatever order they are given in
+  MODEL         an animated model: glTF 2.0 (.glb, .gltf) with skins, morph targets and moving nodes; FBX, Collada, X (.fbx,
+                .dae, .x) as well as assimp can read them (best effort: compare with what you expect)
+  SEQUENCE      an HDF5 file (.h5, .hdf5) as D-FAUST's: vertices x 3 x frames, and triangles x 3
 All frames have the same connectivity, a manifold of triangles, possibly with border. Results count vertices and frames
 from 0; lengths are in the unit of the input, times in seconds. "The diagonal" is that of the bounding box of the rest
 shape.
@@ -509,6 +533,7 @@ shape.
 Examples:
   detect_features walk.obj walk.pc2 --rest standing.obj -o features.json -o features.ply
   detect_features frames/ --fps 25 --sigma-range 1%:10% --tau-range :0.5 | python3 -m json.tool
+  detect_features hand.glb --clip Fist --there-and-back -o features.json
   detect_features walk.obj walk.mdd --alpha 0 --write-field strain:strain.npy -o strain_features.csv
 )" << described_options(ignored, t)
      << R"(

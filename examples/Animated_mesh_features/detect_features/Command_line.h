@@ -49,6 +49,10 @@ struct Command_line
 
   std::vector<std::string> inputs;
   std::optional<double> frames_per_second;
+  std::string clip; // empty: the first
+  std::optional<std::size_t> clip_frames;
+  bool there_and_back = false;
+  std::string faces_dataset;
   bool triangulate = false;
 
   // either a file, or a frame, or the average of all frames
@@ -76,6 +80,7 @@ struct Command_line
 
   std::vector<Requested_file<Format>> outputs;
   std::vector<Requested_file<Field>> fields;
+  std::string vertex_map; // empty: none
   std::vector<Requested_file<Scene_format>> scenes;
   std::size_t html_frame_step = 0; // 0: as the size of the page allows
   CGAL::Animated_mesh_features::IO::Picture_options picture;

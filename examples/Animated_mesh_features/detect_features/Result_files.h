@@ -41,6 +41,7 @@ public:
   {
     open(command_line.fields, m_fields);
     open(command_line.outputs, m_features);
+    if (!command_line.vertex_map.empty()) m_vertex_map = std::make_unique<Output_file>(command_line.vertex_map);
   }
 
   template <class Spatio_temporal_field>
@@ -62,10 +63,14 @@ public:
       std::ostream& os = f.file->stream();
       switch (f.kind) {
       case Format::JSON: IO::write_json(os, features, description); break;
-      case Format::CSV: IO::write_csv(os, features); break;
+      case Format::CSV: IO::write_csv(os, features, description.origins); break;
       case Format::PLY: IO::write_ply(os, features); break;
       }
       flush(*f.file);
+    }
+    if (m_vertex_map) {
+      IO::write_vertex_map(m_vertex_map->stream(), description.origins, description.vertices);
+      flush(*m_vertex_map);
     }
   }
 
@@ -75,6 +80,7 @@ public:
   {
     for (auto& f : m_fields) f.file->commit();
     for (auto& f : m_features) f.file->commit();
+    if (m_vertex_map) m_vertex_map->commit();
     m_scenes.commit();
   }
 
@@ -93,6 +99,7 @@ private:
 
   std::vector<Open_file<Field>> m_fields;
   std::vector<Open_file<Format>> m_features;
+  std::unique_ptr<Output_file> m_vertex_map;
   Scene_files m_scenes;
 };
 

@@ -14,6 +14,7 @@
 #include "detect.h"
 
 #include <CGAL/Animated_mesh_features/Animation_report.h>
+#include <CGAL/Animated_mesh_features/IO/Clip_sampling.h>
 #include <CGAL/Animated_mesh_features/IO/Result_description.h>
 
 #include <algorithm>
@@ -70,6 +71,7 @@ inline AMF::IO::Result_description description(const Command_line& c, const Anim
   d.frame_duration = animation.sequence().frame_duration();
   d.bounding_box_diagonal = shape.bounding_box_diagonal();
   d.mean_edge_length = shape.mean_edge_length();
+  d.origins = animation.origins();
 
   const AMF::IO::Result_description::Value none = std::monostate();
   const auto add_if = [&](bool is_used, const std::string& name, const auto& value) {
@@ -82,6 +84,11 @@ inline AMF::IO::Result_description description(const Command_line& c, const Anim
   d.add("inputs", c.inputs);
   d.add("triangulate", c.triangulate);
   d.add("fps", animation.frames_per_second());
+  add_if(!animation.clips().empty(), "clip", animation.clip_name());
+  add_if(animation.is_sampled() && (c.clip_frames || !c.frames_per_second), "frames",
+         c.there_and_back ? (d.frames + 1) / 2 : d.frames);
+  add_if(animation.is_sampled(), "there_and_back", c.there_and_back);
+  add_if(!c.faces_dataset.empty(), "faces", c.faces_dataset);
   d.add("rest", c.rest);
   d.add("rescale_rest", c.rescale_rest);
   d.add("rest_factor", animation.rest_factor());
@@ -115,6 +122,9 @@ inline std::string animation_report(const Command_line& c, const Animation& anim
   os << "animation: " << sequence.number_of_vertices() << " vertices, " << animation.number_of_faces() << " triangles, "
      << sequence.number_of_frames() << " frames, " << animation.frames_per_second()
      << " in a second: " << double(sequence.number_of_frames()) * sequence.frame_duration() << " s\n";
+  if (!animation.clips().empty())
+    os << "clips: " << AMF::IO::clip_list(animation.clips()) << "; this is " << animation.clip_name() << '\n';
+  for (const std::string& remark : animation.remarks()) os << "file: " << remark << '\n';
   os << "rest shape: " << c.rest << ", bounding-box diagonal " << shape.bounding_box_diagonal() << ", mean edge length "
      << shape.mean_edge_length();
   if (c.rescale_rest) os << ", scaled by " << animation.rest_factor();
@@ -123,6 +133,14 @@ inline std::string animation_report(const Command_line& c, const Animation& anim
      << internal::counted(r.isolated_vertices, "isolated vertex", "isolated vertices") << ", "
      << internal::counted(r.degenerate_rest_triangles, "degenerate triangle", "degenerate triangles") << " at rest\n";
   return os.str();
+}
+
+// One line, or nothing: of several clips one was taken that nobody chose.
+inline std::string clip_notice(const Command_line& c, const Animation& animation)
+{
+  if (animation.clips().size() < 2 || !c.clip.empty()) return std::string();
+  return "clip " + animation.clip_name() + ", the first of " + AMF::IO::clip_list(animation.clips()) +
+         "; --clip chooses another\n";
 }
 
 inline std::string detection_report(const Detection& detection)

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,8 @@ Which clip of an animated model is taken, and at which times.
 The frames are equidistant, from the clip's first key to its last one, both included. By default their distance is that
 of the keys themselves, the commonest one: animations that were recorded or baked get their own frames back. Where keys
 are sparse, since the curves between them say the rest, it is divided by the smallest whole number that gives at least
-`least_frames` frames and `least_frames_per_second`, so that keys are still met.
+`least_frames` frames and `least_frames_per_second`, so that keys are still met. At a rate of one's own, what is left
+behind the last whole frame is left out.
 */
 struct Clip_sampling
 {
@@ -41,6 +43,10 @@ struct Clip_sampling
   std::string clip;                        ///< name, or index from 0; empty: the first clip
   std::optional<std::size_t> frames;       ///< how many; at least 2
   std::optional<double> frames_per_second; ///< if `frames` is not given
+
+  /// after the last frame, play all but that one backwards: gestures are often stored as the way there only, and what
+  /// merely grows to the end has no moment of its own.
+  bool there_and_back = false;
 };
 
 /*!
@@ -72,7 +78,8 @@ inline std::size_t find_clip(const std::vector<std::string>& names, const std::s
   const std::size_t n = std::size_t(std::count(names.begin(), names.end(), wanted));
   if (n == 1) return std::size_t(std::find(names.begin(), names.end(), wanted) - names.begin());
   if (n > 1)
-    throw Option_error(file + ": several clips are called \"" + wanted + "\"; choose one by its number: " + clip_list(names));
+    throw Option_error(file + ": several clips are called \"" + wanted +
+                       "\"; choose one by its number: " + clip_list(names));
   for (std::size_t i = 0; i < names.size(); ++i)
     if (std::to_string(i) == wanted) return i;
   throw Option_error(file + ": there is no clip \"" + wanted + "\"; clips are " + clip_list(names));
@@ -88,15 +95,16 @@ inline std::vector<std::string> clip_names(const Keyframed_model& model)
 
 namespace internal {
 
-// The commonest distance of two keys of the same track; of several ones, the shortest.
+// The commonest distance of two keys of the same track; of several ones, the shortest. Tracks with the same times count
+// once: exporters give each bone that rests a key at either end.
 inline double commonest_step(const Keyframed_model::Clip& clip)
 {
+  std::set<std::vector<double>> different;
+  for (const Keyframed_model::Channel& channel : clip.channels) different.insert(channel.track.times);
   std::vector<double> steps;
-  for (const Keyframed_model::Channel& channel : clip.channels)
-    for (std::size_t k = 1; k < channel.track.times.size(); ++k) {
-      const double step = channel.track.times[k] - channel.track.times[k - 1];
-      if (step > 0) steps.push_back(step);
-    }
+  for (const std::vector<double>& times : different)
+    for (std::size_t k = 1; k < times.size(); ++k)
+      if (times[k] > times[k - 1]) steps.push_back(times[k] - times[k - 1]);
   std::sort(steps.begin(), steps.end());
   // Times are in single precision: a step late in a clip is rounded more coarsely than an early one.
   const double tolerance = 0.01;
@@ -118,10 +126,10 @@ inline double commonest_step(const Keyframed_model::Clip& clip)
 /*!
 \ingroup PkgAnimatedMeshFeaturesIO
 
-the times of the frames (s), see `Clip_sampling`. \f$O(K \log K)\f$ for `K` keys.
+where in the clip the frames are (s), see `Clip_sampling`. \f$O(K \log K)\f$ for `K` keys.
 
 \throw Input_error if all keys of the clip are at one time.
-\throw Option_error if less than 2 frames are asked for.
+\throw Option_error if less than 2 frames are asked for, or a rate at which there are less.
 */
 inline std::vector<double> frame_times(const Keyframed_model::Clip& clip, const Clip_sampling& sampling,
                                        const std::string& file)
@@ -138,26 +146,31 @@ inline std::vector<double> frame_times(const Keyframed_model::Clip& clip, const 
   if (!(duration > 0)) throw Input_error(file + ": clip \"" + clip.name + "\" has no duration: it moves nothing");
 
   const double most_frames = 1e9; // beyond, a rate or a key is nonsense
-  double intervals;
+  double intervals, step = 0;     // 0: as the number of intervals gives it
   if (sampling.frames) {
     if (*sampling.frames < 2) throw Option_error("an animation needs at least 2 frames");
     intervals = double(*sampling.frames - 1);
   } else if (sampling.frames_per_second) {
-    intervals = (std::max)(1., std::round(duration * *sampling.frames_per_second));
+    step = 1 / *sampling.frames_per_second;
+    intervals = std::floor(duration / step * (1 + 1e-6)); // keys are in single precision
+    if (intervals < 1)
+      throw Option_error(file + ": clip \"" + clip.name + "\" is shorter than a frame, " + std::to_string(duration) +
+                         " s");
   } else {
     const double own = (std::max)(1., std::round(duration / internal::commonest_step(clip)));
     // 23.976 frames in a second are as good as 24.
     const double least = (std::max)(double(Clip_sampling::least_frames - 1),
                                     std::floor(0.99 * duration * Clip_sampling::least_frames_per_second));
     intervals = own * std::ceil(least / own);
-    if (own >= least) intervals = own;
   }
   if (!(intervals < most_frames))
     throw Input_error(file + ": clip \"" + clip.name + "\" would have " + std::to_string(intervals + 1) + " frames");
   const std::size_t n = std::size_t(intervals);
   std::vector<double> times(n + 1);
-  for (std::size_t i = 0; i <= n; ++i) times[i] = first + duration * double(i) / double(n);
-  times.back() = last;
+  for (std::size_t i = 0; i <= n; ++i)
+    times[i] = step > 0 ? first + step * double(i) : first + duration * double(i) / double(n);
+  if (sampling.there_and_back)
+    for (std::size_t i = n; i-- > 0;) times.push_back(times[i]);
   return times;
 }
 

@@ -28,8 +28,8 @@ namespace IO {
 Tells where the vertices of a `Keyframed_model` are at a time of one of its clips, in the coordinates of the scene.
 
 Vertices are displaced by their morph targets, \f$p + \sum_t w_t d_t\f$; then, with a skin, moved by its joints,
-\f$\sum_j w_j\, G_j B_j\, p\f$, where \f$G\f$ takes a node's coordinates to those of the scene and \f$B\f$ is the inverse
-bind matrix; else moved by \f$G\f$ of their node. In double precision; vertices of equal data get equal bits.
+\f$\sum_j w_j\, G_j B_j\, p\f$, where \f$G\f$ takes a node's coordinates to those of the scene and \f$B\f$ is the
+inverse bind matrix; else moved by \f$G\f$ of their node. In double precision; vertices of equal data get equal bits.
 
 The model is kept by reference. An evaluator may be used by several threads at once.
 */
@@ -99,9 +99,15 @@ private:
     for (const Keyframed_model::Channel& channel : m_clip->channels) {
       Keyframed_model::Node& node = nodes[channel.node];
       switch (channel.path) {
-      case Keyframed_model::Path::TRANSLATION: channel.track.evaluate(time, node.translation.data()); break;
-      case Keyframed_model::Path::ROTATION: channel.track.evaluate(time, node.rotation.data()); break;
-      case Keyframed_model::Path::SCALE: channel.track.evaluate(time, node.scale.data()); break;
+      case Keyframed_model::Path::TRANSLATION:
+        channel.track.evaluate(time, node.translation.data());
+        break;
+      case Keyframed_model::Path::ROTATION:
+        channel.track.evaluate(time, node.rotation.data());
+        break;
+      case Keyframed_model::Path::SCALE:
+        channel.track.evaluate(time, node.scale.data());
+        break;
       case Keyframed_model::Path::WEIGHTS:
         for (std::size_t i = 0; i < m_model->parts.size(); ++i)
           if (m_model->parts[i].node == channel.node) channel.track.evaluate(time, state.weights[i].data());

@@ -7,6 +7,8 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_RESULT_DESCRIPTION_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_RESULT_DESCRIPTION_H
 
+#include <CGAL/Animated_mesh_features/IO/Vertex_origins.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -40,6 +42,7 @@ struct Result_description
   double frame_duration = 0;        ///< seconds
   double bounding_box_diagonal = 0; ///< length, of the rest shape
   double mean_edge_length = 0;      ///< length, of the rest shape
+  Vertex_origins origins;           ///< if vertices are not those of the file
   /// @}
 
   /// names and values, in the order in which they are written.

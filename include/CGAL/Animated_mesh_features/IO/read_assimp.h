@@ -107,7 +107,8 @@ private:
       const aiFace& face = mesh.mFaces[f];
       if (face.mNumIndices != 3) continue; // points and lines; all else was cut into triangles
       for (unsigned k = 0; k < 3; ++k)
-        if (face.mIndices[k] >= mesh.mNumVertices) fail(name + ": face " + std::to_string(f) + " has a corner that is not there");
+        if (face.mIndices[k] >= mesh.mNumVertices)
+          fail(name + ": face " + std::to_string(f) + " has a corner that is not there");
       g.triangles.push_back({{face.mIndices[0], face.mIndices[1], face.mIndices[2]}});
     }
     for (unsigned t = 0; t < mesh.mNumAnimMeshes; ++t) {
@@ -243,8 +244,8 @@ private:
 /*!
 \ingroup PkgAnimatedMeshFeaturesIO
 
-reads an animated model through assimp: FBX, Collada, X and many more. Best effort: what assimp makes of the file is what
-is read, and between keys everything is interpolated linearly. Faces are cut into triangles.
+reads an animated model through assimp: FBX, Collada, X and many more. Best effort: what assimp makes of the file is
+what is read, and between keys everything is interpolated linearly. Faces are cut into triangles.
 
 Not for glTF, for which `read_gltf()` is exact: assimp 5.2 takes the tangents of splines for keys or drops them.
 

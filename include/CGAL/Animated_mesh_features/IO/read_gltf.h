@@ -92,7 +92,8 @@ public:
     add_scene();
     for (std::size_t i = 0; i < m_gltf.animations.size(); ++i) add_clip(i);
     if (m_without_triangles > 0)
-      m_model.remarks.push_back(std::to_string(m_without_triangles) + " of the meshes' primitives left out: points or lines");
+      m_model.remarks.push_back(std::to_string(m_without_triangles) +
+                                " of the meshes' primitives left out: points or lines");
     if (!m_gltf.asset.copyright.empty())
       m_model.remarks.push_back("the author's notice in the file: " + one_line(m_gltf.asset.copyright));
     return std::move(m_model);
@@ -191,8 +192,7 @@ private:
       const std::string name =
           node_name(n) + ", mesh " + std::to_string(mesh_index) + ", primitive " + std::to_string(p);
       const auto known = m_geometries.find({mesh_index, p});
-      const std::size_t geometry =
-          known != m_geometries.end() ? known->second : add_geometry(mesh.primitives[p], name);
+      const std::size_t geometry = known != m_geometries.end() ? known->second : add_geometry(mesh.primitives[p], name);
       m_geometries[{mesh_index, p}] = geometry;
       if (geometry == none) continue;
       Keyframed_model::Part part;
@@ -212,7 +212,8 @@ private:
     const auto position = primitive.attributes.find("POSITION");
     const int mode = primitive.mode < 0 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
     if (position == primitive.attributes.end() ||
-        (mode != TINYGLTF_MODE_TRIANGLES && mode != TINYGLTF_MODE_TRIANGLE_STRIP && mode != TINYGLTF_MODE_TRIANGLE_FAN)) {
+        (mode != TINYGLTF_MODE_TRIANGLES && mode != TINYGLTF_MODE_TRIANGLE_STRIP &&
+         mode != TINYGLTF_MODE_TRIANGLE_FAN)) {
       ++m_without_triangles;
       return none;
     }
@@ -255,7 +256,8 @@ private:
           fail(name + ", triangle " + std::to_string(geometry.triangles.size()) + " has a corner at vertex " +
                std::to_string(c) + ", there are " + std::to_string(geometry.points.size()) + " vertices");
       // Strips are tied together by triangles that repeat a vertex.
-      if (mode != TINYGLTF_MODE_TRIANGLES && (corners[i] == corners[j] || corners[j] == corners[k] || corners[k] == corners[i]))
+      if (mode != TINYGLTF_MODE_TRIANGLES &&
+          (corners[i] == corners[j] || corners[j] == corners[k] || corners[k] == corners[i]))
         return;
       geometry.triangles.push_back({{corners[i], corners[j], corners[k]}});
     };
@@ -290,7 +292,8 @@ private:
     for (std::size_t v = 0; v < geometry.points.size(); ++v) {
       influences.clear();
       for (std::size_t set = 0; set < joints.size(); ++set)
-        for (std::size_t i = width * v; i < width * (v + 1); ++i) influences.push_back({joints[set][i], weights[set][i]});
+        for (std::size_t i = width * v; i < width * (v + 1); ++i)
+          influences.push_back({joints[set][i], weights[set][i]});
       append_influences(influences, geometry);
     }
   }
@@ -346,7 +349,8 @@ private:
     track.times = m_accessors.read(sampler.input, 1, name + ", times");
     if (track.times.empty()) fail(name + " has no keys");
     for (std::size_t k = 1; k < track.times.size(); ++k)
-      if (!(track.times[k] > track.times[k - 1])) fail(name + ": the time of key " + std::to_string(k) + " does not ascend");
+      if (!(track.times[k] > track.times[k - 1]))
+        fail(name + ": the time of key " + std::to_string(k) + " does not ascend");
     if (channel.path == Keyframed_model::Path::WEIGHTS) {
       track.values = m_accessors.read(sampler.output, 1, name + ", values");
       track.width = track.values.size() / (values_per_key * track.times.size());
@@ -386,12 +390,12 @@ private:
 /*!
 \ingroup PkgAnimatedMeshFeaturesIO
 
-reads an animated model from a glTF 2.0 file, `.gltf` (with data inside or beside it) or `.glb`: the nodes, meshes, skins and
-morph targets of its default scene, and all animations. Images are not looked at. Lists, strips and fans of triangles are
-read, points and lines left out; accessors may be strided, sparse, or of normalised integers.
+reads an animated model from a glTF 2.0 file, `.gltf` (with data inside or beside it) or `.glb`: the nodes, meshes,
+skins and morph targets of its default scene, and all animations. Images are not looked at. Lists, strips and fans of
+triangles are read, points and lines left out; accessors may be strided, sparse, or of normalised integers.
 
-Needs tinygltf 2.6 or newer: whoever includes this header links with Debian's `libtinygltf` (CMake: `TinyGLTF::TinyGLTF`),
-or defines `TINYGLTF_IMPLEMENTATION` in one of the program's files.
+Needs tinygltf 2.6 or newer: whoever includes this header links with Debian's `libtinygltf` (CMake:
+`TinyGLTF::TinyGLTF`), or defines `TINYGLTF_IMPLEMENTATION` in one of the program's files.
 
 \throws Input_error if the file cannot be read, is no glTF 2.0, needs an extension that is not known here, or is not
 consistent; the message names the node, primitive, vertex, accessor or channel.

@@ -52,7 +52,8 @@ inline std::vector<std::string> welding_remarks(const Welded_surface& w, std::si
   if (w.collapsed_triangles > 0)
     remarks.push_back(counted(w.collapsed_triangles, "triangle", "triangles") + " without area in any frame left out");
   if (w.split_vertices > 0)
-    remarks.push_back(counted(w.split_vertices, "vertex", "vertices") + " split where the surface meets in a point only");
+    remarks.push_back(counted(w.split_vertices, "vertex", "vertices") +
+                      " split where the surface meets in a point only");
   if (w.open_edges > 0)
     remarks.push_back(counted(w.open_edges, "edge", "edges") +
                       " left open: borders coincide there, but do not make a manifold");
@@ -89,7 +90,7 @@ inline void check_finite(const Keyframed_model_evaluator::Points& points, const 
 \ingroup PkgAnimatedMeshFeaturesIO
 
 makes the frames of a clip of an animated model, with vertices welded that the format split: see `Clip_sampling`,
-`Coincident_vertices` and `weld_surface()`. Times are those of the clip, from 0 at its first key.
+`Coincident_vertices` and `weld_surface()`. Times are from 0 at the clip's first key.
 
 The clip is evaluated twice, so that nothing of the size of the animation is in memory before `observe_size` is told the
 size; `O(F (N + nodes + keys))`.
@@ -100,8 +101,8 @@ size; `O(F (N + nodes + keys))`.
 finite; there are no triangles.
 */
 template <class FT, class ConcurrencyTag = CGAL::Parallel_if_available_tag>
-Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sampling& sampling, const std::string& file,
-                                    const Size_observer& observe_size = Size_observer())
+Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sampling& sampling,
+                                    const std::string& file, const Size_observer& observe_size = Size_observer())
 {
   typedef Keyframed_model_evaluator::Points Points;
 
@@ -112,7 +113,7 @@ Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sam
   const Keyframed_model::Clip& clip = model.clips[data.clip];
   const std::vector<double> times = frame_times(clip, sampling, file);
   data.frames = times.size();
-  for (double t : times) data.times.push_back(t - times[0]);
+  for (std::size_t f = 0; f < data.frames; ++f) data.times.push_back(double(f) * (times[1] - times[0]));
   const Keyframed_model_evaluator evaluate(model, data.clip, file);
   const auto name = [&](std::size_t f) { return file + ", clip \"" + clip.name + "\", frame " + std::to_string(f); };
 
@@ -125,11 +126,12 @@ Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sam
     coincident.add_frame(points);
     if (f == 0) first_points = points;
   }
-  Welded_surface surface = weld_surface(internal::drawn_triangles(model, evaluate.mirrored_parts(times[0])),
-                                        coincident.first_of_class());
+  Welded_surface surface =
+      weld_surface(internal::drawn_triangles(model, evaluate.mirrored_parts(times[0])), coincident.first_of_class());
   if (surface.triangles.empty()) throw Input_error(file + ": holds no triangles");
   data.remarks = model.remarks;
-  for (std::string& remark : internal::welding_remarks(surface, file_vertices)) data.remarks.push_back(std::move(remark));
+  for (std::string& remark : internal::welding_remarks(surface, file_vertices))
+    data.remarks.push_back(std::move(remark));
 
   const std::size_t n = surface.number_of_vertices();
   std::size_t first_of_part = 0;

@@ -235,10 +235,10 @@ private:
 /*!
 \ingroup PkgAnimatedMeshFeaturesIO
 
-sews up a surface that a format cut open: two borders become one edge if their ends are at the same two places and they run
-in opposite directions, and if they are the only two there. Vertices are welded by this alone, never because they merely
-touch, so that the result is a manifold wherever the file's own triangles are one; what cannot be sewn in this way
-(a third border, another orientation, the two sides of a sheet) stays as the file has it.
+sews up a surface that a format cut open: two borders become one edge if their ends are at the same two places and they
+run in opposite directions, and if they are the only two there. Vertices are welded by this alone, never because they
+merely touch, so that the result is a manifold wherever the file's own triangles are one; what cannot be sewn in this
+way (a third border, another orientation, the two sides of a sheet) stays as the file has it.
 
 A vertex of the file at which parts of the surface meet in a point only becomes several ones.
 

@@ -87,7 +87,8 @@ private:
 
 // `"features": [...]`
 template <class FeatureRange>
-void write_json_features(Json_output& out, const FeatureRange& features)
+void write_json_features(Json_output& out, const FeatureRange& features,
+                         const Vertex_origins& origins = Vertex_origins())
 {
   out.raw("\"features\": [");
   const char* separator = "\n  {";
@@ -98,8 +99,24 @@ void write_json_features(Json_output& out, const FeatureRange& features)
     out.raw(", ").member("response", f.response).raw(", ").member("strength", f.strength());
     out.raw(", ").member("rest_position", f.rest_position).raw(", ").member("triangle", f.triangle);
     out.raw(", ").member("barycentric_coordinates", f.barycentric_coordinates);
-    out.raw(", ").member("at_scale_limit", f.at_scale_limit).raw("}");
+    out.raw(", ").member("at_scale_limit", f.at_scale_limit);
+    if (!origins.empty()) out.raw(", ").member("file_vertices", origins.of(f.vertex_index));
+    out.raw("}");
     separator = ",\n  {";
+  }
+  out.raw("]");
+}
+
+// Where the file's vertices are that are counted through all parts.
+inline void write_parts(Json_output& out, const Vertex_origins& origins)
+{
+  if (origins.empty()) return;
+  out.raw(",\n               \"parts\": [");
+  const char* separator = "\n                 {";
+  for (const Vertex_origins::Part& part : origins.parts) {
+    out.raw(separator).member("name", part.name).raw(", ").member("first_vertex", part.first_vertex);
+    out.raw(", ").member("vertices", part.vertices).raw("}");
+    separator = ",\n                 {";
   }
   out.raw("]");
 }
@@ -123,6 +140,10 @@ first.
    "barycentric_coordinates": [1, 0, 0], "at_scale_limit": false}]}
 \endcode
 
+If vertices are not those of the file (`Result_description::origins`), a feature has `"file_vertices": [12, 907]` too,
+the vertices of the file of which its vertex is made, counted from 0 through all of the file's parts, and the animation
+has `"parts": [{"name": "node 3, mesh 0, primitive 0", "first_vertex": 0, "vertices": 1425}]`.
+
 Vertices are counted from 0 in the order of the input file; times are in seconds, lengths in the input's unit. Numbers
 have as many digits as it takes to read the same number back, strings are UTF-8. Independent of the stream's locale.
 
@@ -139,7 +160,9 @@ void write_json(std::ostream& os, const FeatureRange& features, const Result_des
   out.raw(" \"animation\": {").member("vertices", d.vertices).raw(", ").member("faces", d.faces);
   out.raw(", ").member("frames", d.frames).raw(", ").member("frame_duration", d.frame_duration);
   out.raw(",\n               ").member("bounding_box_diagonal", d.bounding_box_diagonal);
-  out.raw(", ").member("mean_edge_length", d.mean_edge_length).raw("},\n");
+  out.raw(", ").member("mean_edge_length", d.mean_edge_length);
+  internal::write_parts(out, d.origins);
+  out.raw("},\n");
 
   out.raw(" \"parameters\": {");
   const char* separator = "\n  ";
@@ -150,7 +173,7 @@ void write_json(std::ostream& os, const FeatureRange& features, const Result_des
   out.raw("},\n");
 
   out.raw(" ");
-  internal::write_json_features(out, features);
+  internal::write_json_features(out, features, d.origins);
   out.raw("}\n").flush();
 }
 

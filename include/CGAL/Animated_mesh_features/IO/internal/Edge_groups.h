@@ -20,8 +20,8 @@ namespace internal {
 
 // Calls `visit(first, last)` for every edge of a set of triangles with the corners that stand for it: the edge from a
 // corner, three times the number of its triangle plus 0, 1 or 2, to the next one of its triangle. `vertex` tells the
-// vertex at a corner, less than `number_of_vertices`. Corners come in ascending order. Linear, but for sorting the edges
-// of each vertex.
+// vertex at a corner, less than `number_of_vertices`. Corners come in ascending order. Linear, but for sorting the
+// edges of each vertex.
 template <class Vertex_of_corner, class Visit>
 void for_each_edge(std::size_t number_of_corners, std::size_t number_of_vertices, const Vertex_of_corner& vertex,
                    const Visit& visit)

@@ -26,8 +26,8 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-// Reads arrays of numbers from the buffers of a glTF file: of any type of component, strided, normalised, sparse. Nothing
-// is read outside of a buffer, whatever the file says.
+// Reads arrays of numbers from the buffers of a glTF file: of any type of component, strided, normalised, sparse.
+// Nothing is read outside of a buffer, whatever the file says.
 class Gltf_accessor_reader
 {
 public:
@@ -105,19 +105,25 @@ private:
                      double* values) const
   {
     switch (place.component_type) {
-    case TINYGLTF_COMPONENT_TYPE_BYTE: return read_as<std::int8_t>(place, count, width, name, values);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE: return read_as<std::uint8_t>(place, count, width, name, values);
-    case TINYGLTF_COMPONENT_TYPE_SHORT: return read_as<std::int16_t>(place, count, width, name, values);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: return read_as<std::uint16_t>(place, count, width, name, values);
-    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT: return read_as<std::uint32_t>(place, count, width, name, values);
-    case TINYGLTF_COMPONENT_TYPE_FLOAT: return read_as<float>(place, count, width, name, values);
-    default: fail(name + " has components of an unknown type " + std::to_string(place.component_type));
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+      return read_as<std::int8_t>(place, count, width, name, values);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+      return read_as<std::uint8_t>(place, count, width, name, values);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+      return read_as<std::int16_t>(place, count, width, name, values);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+      return read_as<std::uint16_t>(place, count, width, name, values);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+      return read_as<std::uint32_t>(place, count, width, name, values);
+    case TINYGLTF_COMPONENT_TYPE_FLOAT:
+      return read_as<float>(place, count, width, name, values);
+    default:
+      fail(name + " has components of an unknown type " + std::to_string(place.component_type));
     }
   }
 
   template <class Component>
-  void read_as(const Place& place, std::size_t count, std::size_t width, const std::string& name,
-               double* values) const
+  void read_as(const Place& place, std::size_t count, std::size_t width, const std::string& name, double* values) const
   {
     if (count == 0) return;
     if (place.view < 0 || std::size_t(place.view) >= m_model.bufferViews.size())
@@ -159,14 +165,13 @@ private:
       fail(sparse + " has a size or place that makes no sense");
     const std::size_t n = std::size_t(a.sparse.count);
     std::vector<double> indices(n), replacements(n * width);
-    read_elements({a.sparse.indices.bufferView, std::size_t(a.sparse.indices.byteOffset),
-                   a.sparse.indices.componentType, false},
-                  n, 1, sparse, indices.data());
+    read_elements(
+        {a.sparse.indices.bufferView, std::size_t(a.sparse.indices.byteOffset), a.sparse.indices.componentType, false},
+        n, 1, sparse, indices.data());
     read_elements({a.sparse.values.bufferView, std::size_t(a.sparse.values.byteOffset), a.componentType, a.normalized},
                   n, width, sparse, replacements.data());
     for (std::size_t i = 0; i < n; ++i) {
-      if (!(indices[i] >= 0 && indices[i] < double(a.count)))
-        fail(sparse + " replaces an element that is not there");
+      if (!(indices[i] >= 0 && indices[i] < double(a.count))) fail(sparse + " replaces an element that is not there");
       std::copy(&replacements[i * width], &replacements[i * width] + width, &values[std::size_t(indices[i]) * width]);
     }
   }

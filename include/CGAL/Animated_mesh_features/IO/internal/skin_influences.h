@@ -19,7 +19,8 @@ namespace IO {
 namespace internal {
 
 // Appends those of the next vertex, brought to the form in which equal ones are equal bit for bit: ascending by joint,
-// without zeros, with sum 1. If all weights are zero, the vertex moves with the first joint named, as renderers have it.
+// without zeros, with sum 1. If all weights are zero, the vertex moves with the first joint named, as renderers have
+// it.
 inline void append_influences(std::vector<Keyframed_model::Influence> influences, Keyframed_model::Geometry& geometry)
 {
   typedef Keyframed_model::Influence Influence;

@@ -1,0 +1,552 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Animated models: keys, evaluation, choice of clips and frames, welding; glTF, HDF5, and formats through assimp where
+// the libraries are. With arguments, "dump FILE CLIP FRAMES OUT", it writes what is read from a file, for comparison
+// with an evaluation that shares nothing with the package (see test_gltf.sh).
+
+#include "test_io_support.h"
+
+#include <CGAL/Animated_mesh_features/IO/sample_clip.h>
+#include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>
+
+#ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
+  #include <CGAL/Animated_mesh_features/IO/read_gltf.h>
+#endif
+#ifdef ANIMATED_MESH_FEATURES_WITH_ASSIMP
+  #include <CGAL/Animated_mesh_features/IO/read_assimp.h>
+#endif
+#ifdef ANIMATED_MESH_FEATURES_WITH_HDF5
+  #include <CGAL/Animated_mesh_features/IO/read_hdf5.h>
+#endif
+
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/tags.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using namespace CGAL::Animated_mesh_features;
+using namespace test_support;
+
+namespace {
+
+typedef IO::Keyframed_model Model;
+typedef IO::Keyframe_track::Interpolation Interpolation;
+typedef std::vector<std::array<std::size_t, 3>> Triangles;
+
+IO::Keyframe_track track(Interpolation interpolation, const std::vector<double>& times,
+                         const std::vector<double>& values, std::size_t width = 1)
+{
+  IO::Keyframe_track t;
+  t.interpolation = interpolation;
+  t.times = times;
+  t.values = values;
+  t.width = width;
+  t.is_rotation = width == 4;
+  return t;
+}
+
+double value(const IO::Keyframe_track& t, double time)
+{
+  double v;
+  t.evaluate(time, &v);
+  return v;
+}
+
+void test_tracks()
+{
+  const auto linear = track(Interpolation::LINEAR, {1, 2, 4}, {10, 20, 0});
+  const auto step = track(Interpolation::STEP, {1, 2, 4}, {10, 20, 0});
+  CHECK(linear.is_complete() && step.is_complete());
+  for (double t : {0., 1., 1.25, 2., 3., 4., 9.}) {
+    CHECK_NEAR(value(linear, t), t < 1 ? 10 : t < 2 ? 10 * t : t < 4 ? 40 - 10 * t : 0, 1e-14);
+    CHECK(value(step, t) == (t < 2 ? 10 : t < 4 ? 20 : 0));
+  }
+  // t^3, whose tangents are 3 t^2, is its own spline.
+  const auto spline = track(Interpolation::CUBICSPLINE, {0, 1, 3}, {99, 0, 0, 3, 1, 3, 27, 27, 99});
+  CHECK(spline.is_complete());
+  for (int i = 0; i <= 30; ++i) CHECK_NEAR(value(spline, 0.1 * i), std::pow(0.1 * i, 3), 1e-13);
+  CHECK(value(spline, -1) == 0 && value(spline, 4) == 27);
+  CHECK(!track(Interpolation::CUBICSPLINE, {0, 1}, {0, 1}).is_complete());
+  CHECK(!track(Interpolation::LINEAR, {1, 0}, {0, 1}).is_complete());
+  CHECK(!track(Interpolation::LINEAR, {}, {}).is_complete());
+
+  // At constant speed, also where the arc is so short that its cosine is 1.
+  for (double angle : {3., 1e-3, 1e-9}) {
+    const auto turn =
+        track(Interpolation::LINEAR, {0, 1}, {0, 0, 0, 2, 0, 0, 3 * std::sin(angle / 2), 3 * std::cos(angle / 2)}, 4);
+    for (double t : {0., 0.25, 0.7, 1.}) {
+      double q[4];
+      turn.evaluate(t, q);
+      CHECK_NEAR(2 * std::atan2(q[2], q[3]), angle * t, 1e-14);
+      CHECK_NEAR(std::hypot(q[2], q[3]), 1, 1e-14);
+    }
+  }
+}
+
+Model::Channel channel(std::size_t node, Model::Path path, const IO::Keyframe_track& track)
+{
+  Model::Channel c;
+  c.node = node;
+  c.path = path;
+  c.track = track;
+  return c;
+}
+
+// A square of two triangles with the diagonal split, at a node that moves by `x` a second.
+Model square(double x = 1)
+{
+  Model m;
+  m.nodes.resize(1);
+  Model::Geometry g;
+  g.points = {{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 0}}};
+  g.triangles = {{{0, 1, 2}}, {{3, 4, 5}}};
+  m.geometries.push_back(g);
+  m.parts.push_back({0, 0, Model::none, {}, "square"});
+  m.clips.push_back(
+      {"move", {channel(0, Model::Path::TRANSLATION, track(Interpolation::LINEAR, {0, 1}, {0, 0, 0, x, 0, 0}, 3))}});
+  return m;
+}
+
+void test_evaluation_errors()
+{
+  const auto evaluator = [](const Model& m) { IO::Keyframed_model_evaluator(m, 0, "file"); };
+  Model m = square();
+  m.nodes.resize(3);
+  m.nodes[1].parent = 2;
+  m.nodes[2].parent = 1;
+  CHECK_THROWS(Input_error, (evaluator(m), 0), "file: node 1 is among its own ancestors");
+  m = square();
+  m.parts[0].skin = 0;
+  CHECK_THROWS(Input_error, (evaluator(m), 0), "file: square refers to a skin that is not there");
+  m = square();
+  m.parts[0].weights = {1};
+  CHECK_THROWS(Input_error, (evaluator(m), 0), "1 weights for 0 morph targets");
+  m = square();
+  m.clips[0].channels[0].track.values.pop_back();
+  CHECK_THROWS(Input_error, (evaluator(m), 0), "clip \"move\", node 0");
+  m = square(std::numeric_limits<double>::infinity());
+  CHECK_THROWS(Input_error, IO::sample_clip<double>(m, {}, "file"),
+               "file, clip \"move\", frame 0: the position of vertex 0");
+}
+
+std::vector<double> times(const std::vector<std::vector<double>>& keys, IO::Clip_sampling sampling = {})
+{
+  Model::Clip clip;
+  clip.name = "name";
+  for (const auto& k : keys)
+    clip.channels.push_back(
+        channel(0, Model::Path::SCALE, track(Interpolation::LINEAR, k, std::vector<double>(3 * k.size()), 3)));
+  return IO::frame_times(clip, sampling, "file");
+}
+
+void test_sampling()
+{
+  std::vector<double> film;
+  for (int i = 0; i < 60; ++i) film.push_back(double(float(i / 24.)));
+  CHECK(times({film}).size() == 60);                                  // the own rate
+  CHECK(times({film, {0, 1, 2}}).size() == 60);                       // the commonest step
+  CHECK(times({{0, 1}, {0, 1}, {0, 1}, {0, 0.1, 0.2}}).size() == 51); // but tracks alike count once
+  CHECK(times({{0, 0.25}}).size() == 48);                             // few keys: enough frames
+  CHECK(times({{0, 1, 2}}).size() == 49);                             // so that keys are met
+  CHECK(times({{0, 1, 2}})[24] == 1);
+  CHECK(times({{0, 5, 10}}).size() == 10 * 24 - 1); // and often enough: 119 in 5 s are 23.8 in a second
+  CHECK(times({{3, 4}, {2, 3.5}}).front() == 2 && times({{3, 4}, {2, 3.5}}).back() == 4);
+  IO::Clip_sampling sampling;
+  sampling.frames = 3;
+  CHECK((times({{1, 2}}, sampling) == std::vector<double>{1, 1.5, 2}));
+  sampling.there_and_back = true;
+  CHECK((times({{1, 2}}, sampling) == std::vector<double>{1, 1.5, 2, 1.5, 1}));
+  sampling.there_and_back = false;
+  sampling.frames = 1;
+  CHECK_THROWS(Option_error, times({{1, 2}}, sampling), "at least 2 frames");
+  sampling.frames.reset();
+  sampling.frames_per_second = 10;
+  CHECK(times({{0, double(0.3f)}}, sampling).size() == 4);
+  CHECK(times({{0, 0.39}}, sampling).size() == 4 && std::abs(times({{0, 0.39}}, sampling)[3] - 0.3) < 1e-15);
+  CHECK_THROWS(Option_error, times({{0, 0.05}}, sampling), "shorter than a frame");
+  CHECK_THROWS(Input_error, times({{1}}), "file: clip \"name\" has no duration");
+  CHECK_THROWS(Input_error, times({}), "no duration");
+  sampling.frames_per_second = 1e300;
+  CHECK_THROWS(Input_error, times({{0, 1}}, sampling), "frames");
+
+  CHECK(IO::find_clip({"a", "b", "1"}, "", "f") == 0);
+  CHECK(IO::find_clip({"a", "b", "1"}, "b", "f") == 1);
+  CHECK(IO::find_clip({"a", "b", "1"}, "1", "f") == 2); // names come first
+  CHECK(IO::find_clip({"a", "b", "c"}, "1", "f") == 1);
+  CHECK_THROWS(Option_error, IO::find_clip({"a", "b"}, "c", "f"),
+               "f: there is no clip \"c\"; clips are 0 \"a\", 1 \"b\"");
+  CHECK_THROWS(Option_error, IO::find_clip({"a", "a"}, "a", "f"), "several clips");
+  CHECK_THROWS(Option_error, IO::find_clip({"a", "b"}, "2", "f"), "no clip");
+  CHECK_THROWS(Input_error, IO::find_clip({}, "", "f"), "f: holds no animation");
+}
+
+void test_sampled_clip()
+{
+  std::size_t told_vertices = 0, told_frames = 0;
+  IO::Clip_sampling sampling;
+  sampling.frames = 101;
+  const auto observe = [&](std::size_t n, std::size_t f) { told_vertices = n, told_frames = f; };
+  const auto data = IO::sample_clip<double>(square(), sampling, "file", observe);
+  CHECK(told_vertices == 4 && told_frames == 101);
+  CHECK(data.frames == 101 && data.times.size() == 101 && data.mesh.points.size() == 4);
+  CHECK((data.mesh.triangles == Triangles{{{0, 1, 2}}, {{1, 3, 2}}}));
+  CHECK((data.origins.of(0) == std::vector<std::size_t>{0}) && (data.origins.of(1) == std::vector<std::size_t>{1, 3}));
+  CHECK(data.origins.parts.size() == 1 && data.origins.parts[0].name == "square" &&
+        data.origins.parts[0].vertices == 6);
+  for (std::size_t f = 0; f < 101; ++f) {
+    CHECK_NEAR(data.times[f], 0.01 * double(f), 1e-15);
+    CHECK_NEAR(data.x(3, f), 1 + 0.01 * double(f), 1e-15);
+    CHECK(data.y(3, f) == 1 && data.z(3, f) == 0);
+  }
+  CHECK(data.remarks.size() == 1 && data.remarks[0] == "6 vertices of the file became 4, 1 edge was sewn");
+  CHECK(data.frame_name(7) == "file, frame 7");
+  std::ostringstream map;
+  IO::write_vertex_map(map, data.origins, 4);
+  CHECK(map.str() == "file_vertex,part,part_vertex,vertex\n0,0,0,0\n1,0,1,1\n3,0,3,1\n2,0,2,2\n5,0,5,2\n4,0,4,3\n");
+  std::ostringstream identity;
+  IO::write_vertex_map(identity, IO::Vertex_origins(), 2);
+  CHECK(identity.str() == "file_vertex,part,part_vertex,vertex\n0,0,0,0\n1,0,1,1\n");
+
+  const auto parallel = IO::sample_clip<float, CGAL::Parallel_if_available_tag>(square(0.1), sampling, "file");
+  const auto sequential = IO::sample_clip<float, CGAL::Sequential_tag>(square(0.1), sampling, "file");
+  for (std::size_t f = 0; f < 101; ++f)
+    for (std::size_t v = 0; v < 4; ++v) CHECK(parallel.x(v, f) == sequential.x(v, f));
+
+  // what throws before there are frames
+  struct Stop
+  {
+  };
+  bool is_stopped = false;
+  try {
+    IO::sample_clip<double>(square(), sampling, "file", [](std::size_t, std::size_t) { throw Stop(); });
+  } catch (const Stop&) {
+    is_stopped = true;
+  }
+  CHECK(is_stopped);
+}
+
+void test_coincidence()
+{
+  IO::Coincident_vertices c(6);
+  c.add_frame({{{0, 0, 0}}, {{-0., 0, 0}}, {{1, 0, 0}}, {{0, 0, 0}}, {{1, 0, 0}}, {{2, 0, 0}}});
+  CHECK((c.first_of_class() == std::vector<std::size_t>{0, 0, 2, 0, 2, 5}));
+  CHECK(!c.all_apart());
+  c.add_frame({{{5, 0, 0}}, {{6, 0, 0}}, {{5, 0, 0}}, {{6, 0, 0}}, {{5, 0, 0}}, {{5, 0, 0}}});
+  CHECK((c.first_of_class() == std::vector<std::size_t>{0, 1, 2, 1, 2, 5}));
+  // apart once is apart for good
+  c.add_frame(std::vector<std::array<double, 3>>(6, {{7, 7, 7}}));
+  CHECK((c.first_of_class() == std::vector<std::size_t>{0, 1, 2, 1, 2, 5}));
+  c.add_frame({{{0, 0, 0}}, {{1, 0, 0}}, {{2, 0, 0}}, {{3, 0, 0}}, {{4, 0, 0}}, {{5, 0, 0}}});
+  CHECK(c.all_apart());
+}
+
+// The result must always be what to_surface_mesh() takes.
+IO::Welded_surface welded(const Triangles& triangles, const std::vector<std::size_t>& place)
+{
+  IO::Welded_surface w = IO::weld_surface(triangles, place);
+  IO::Indexed_mesh mesh;
+  mesh.points.resize(w.number_of_vertices());
+  mesh.triangles = w.triangles;
+  CHECK(num_faces(IO::to_surface_mesh(mesh, "welded")) == w.triangles.size());
+  return w;
+}
+
+void test_welding()
+{
+  // A square whose diagonal is split, and one of which a half is turned round.
+  const std::vector<std::size_t> split = {0, 1, 2, 1, 4, 2};
+  IO::Welded_surface w = welded({{{0, 1, 2}}, {{3, 4, 5}}}, split);
+  CHECK(w.number_of_vertices() == 4 && w.welded_edges == 1 && w.open_edges == 0);
+  w = welded({{{0, 1, 2}}, {{3, 5, 4}}}, split);
+  CHECK(w.number_of_vertices() == 6 && w.welded_edges == 0 && w.open_edges == 1);
+
+  // Two triangles that touch in a point: apart as they are, and taken apart if the file has one vertex there.
+  CHECK(welded({{{0, 1, 2}}, {{3, 4, 5}}}, {0, 1, 2, 0, 4, 5}).number_of_vertices() == 6);
+  w = welded({{{0, 1, 2}}, {{0, 3, 4}}}, {0, 1, 2, 3, 4});
+  CHECK(w.number_of_vertices() == 6 && w.split_vertices == 1);
+  CHECK((w.file_vertices == std::vector<std::size_t>{0, 0, 1, 2, 3, 4}));
+
+  // Three borders at an edge, and the same with two of them joined by the file.
+  w = welded({{{0, 1, 2}}, {{3, 4, 5}}, {{6, 7, 8}}}, {0, 1, 2, 1, 0, 5, 0, 1, 8});
+  CHECK(w.number_of_vertices() == 9 && w.open_edges == 1);
+  w = welded({{{0, 1, 2}}, {{1, 0, 3}}, {{4, 5, 6}}}, {0, 1, 2, 3, 0, 1, 6});
+  CHECK(w.number_of_vertices() == 7 && w.welded_edges == 0);
+
+  // The two sides of a sheet do not stick together.
+  w = welded({{{0, 1, 2}}, {{3, 5, 4}}}, {0, 1, 2, 0, 1, 2});
+  CHECK(w.number_of_vertices() == 6);
+
+  // A triangle without area, between two others along a seam: left out, its neighbours are joined.
+  w = welded({{{0, 1, 2}}, {{1, 3, 2}}, {{3, 4, 5}}}, {0, 1, 2, 1, 4, 2});
+  CHECK(w.triangles.size() == 2 && w.collapsed_triangles == 1 && w.number_of_vertices() == 4);
+
+  // A tetrahedron of single triangles becomes closed; vertices without triangles are left out.
+  w = welded({{{0, 1, 2}}, {{3, 4, 5}}, {{6, 7, 8}}, {{9, 10, 11}}}, {0, 2, 1, 0, 1, 5, 1, 2, 5, 2, 0, 5, 12});
+  CHECK(w.number_of_vertices() == 4 && w.welded_edges == 6 && w.unused_vertices == 1);
+
+  // Two strips over the same four corners (0, 1, 2, 3) with the same diagonal (0, 2), but sides of their own in the
+  // file: sewn along their border, the two diagonals would be one edge of four triangles.
+  w = welded({{{0, 1, 2}}, {{0, 2, 3}}, {{4, 6, 5}}, {{4, 7, 6}}}, {0, 1, 2, 3, 0, 1, 2, 3});
+  CHECK(w.number_of_vertices() == 8);
+  // The same with the second side finer, so that no triangle has its like: vertex 8 is the middle of a triangle.
+  w = welded({{{0, 1, 2}}, {{0, 2, 3}}, {{4, 8, 5}}, {{8, 6, 5}}, {{4, 6, 8}}, {{4, 9, 6}}, {{4, 7, 9}}, {{9, 7, 6}}},
+             {0, 1, 2, 3, 0, 1, 2, 3, 8, 9});
+  CHECK(w.triangles.size() == 8 && w.number_of_vertices() == 10 && w.open_edges == 4);
+}
+
+#ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
+void test_bad_gltf()
+{
+  const Temporary_folder folder;
+  const auto read = [&](const std::string& text) { return IO::read_gltf(folder.write("bad.gltf", text)); };
+  const auto gltf = [](const std::string& text) { return "{\"asset\": {\"version\": \"2.0\"}" + text + "}"; };
+  CHECK_THROWS(Input_error, IO::read_gltf(folder.path("missing.glb")), "missing.glb: cannot read");
+  CHECK_THROWS(Input_error, read(""), "bad.gltf: is no readable glTF 2.0");
+  CHECK_THROWS(Input_error, read("{\"asset\": "), "bad.gltf: is no readable glTF 2.0");
+  CHECK_THROWS(Input_error, read("glTF\1\0\0\0"), "bad.gltf: is no readable glTF 2.0");
+  CHECK_THROWS(Input_error, read("{\"asset\": {\"version\": \"1.0\"}}"), "is glTF 1.0");
+  CHECK_THROWS(Input_error, read(gltf(", \"extensionsRequired\": [\"KHR_draco_mesh_compression\"]")),
+               "needs the extension KHR_draco_mesh_compression");
+  CHECK(read(gltf(", \"extensionsRequired\": [\"KHR_materials_unlit\"]")).nodes.empty());
+  CHECK_THROWS(Input_error, read(gltf(", \"buffers\": [{\"uri\": \"away.bin\", \"byteLength\": 4}]")), "away.bin");
+  CHECK_THROWS(Input_error, read(gltf(", \"nodes\": [{\"children\": [1]}]")), "child 1 is not there");
+  CHECK_THROWS(Input_error, read(gltf(", \"nodes\": [{\"name\": \"a\", \"children\": [1]}, {\"children\": [1]}]")),
+               "two parents");
+  CHECK_THROWS(Input_error, read(gltf(", \"nodes\": [{\"scale\": [1, 1]}]")), "node 0: the scale has 2 numbers");
+
+  // Everything whose place is told by the file: outside of the buffer by a byte, or by so much that it comes round.
+  const auto accessor = [&](const std::string& accessor, const std::string& view, const std::string& more = "") {
+    return gltf(", \"buffers\": [{\"uri\": \"data:application/octet-stream;base64," + std::string(48, 'A') +
+                "\", \"byteLength\": 36}], \"bufferViews\": [{\"buffer\": 0, " + view + "}], \"accessors\": [{" +
+                accessor +
+                "}], \"nodes\": [{\"mesh\": 0}], \"scenes\": [{\"nodes\": [0]}], \"meshes\": [{\"primitives\": "
+                "[{\"attributes\": {\"POSITION\": 0}" +
+                more + "}]}]");
+  };
+  const std::string points = "\"bufferView\": 0, \"componentType\": 5126, \"type\": \"VEC3\", \"count\": ";
+  CHECK(read(accessor(points + "3", "\"byteLength\": 36")).geometries.at(0).triangles.size() == 1);
+  CHECK_THROWS(Input_error, read(accessor(points + "4", "\"byteLength\": 36")),
+               "primitive 0, positions: accessor 0 exceeds its buffer");
+  CHECK_THROWS(Input_error, read(accessor(points + "3", "\"byteLength\": 37")), "exceeds its buffer");
+  CHECK_THROWS(Input_error, read(accessor(points + "3", "\"byteLength\": 36, \"byteOffset\": 4")),
+               "exceeds its buffer");
+  CHECK_THROWS(Input_error, read(accessor(points + "3, \"byteOffset\": 4", "\"byteLength\": 36")),
+               "exceeds its buffer");
+  CHECK_THROWS(Input_error, read(accessor(points + "3", "\"byteLength\": 36, \"byteStride\": 16")),
+               "exceeds its buffer");
+  CHECK_THROWS(Input_error, read(accessor(points + "4000000000000000", "\"byteLength\": 36")), "accessor 0");
+  CHECK_THROWS(Input_error,
+               read(accessor("\"bufferView\": 0, \"componentType\": 5126, \"type\": \"VEC2\", \"count\": 3",
+                             "\"byteLength\": 36")),
+               "2 numbers in an element, not 3");
+  CHECK_THROWS(Input_error, read(accessor(points + "2", "\"byteLength\": 36")),
+               "has 2 corners, which do not make triangles");
+  CHECK_THROWS(Input_error, read(accessor(points + "3", "\"byteLength\": 36", ", \"indices\": 7")),
+               "accessor out of bounds");
+  CHECK_THROWS(Input_error, read(accessor(points + "3", "\"byteLength\": 36", ", \"indices\": 0")),
+               "does not hold whole numbers");
+}
+#endif
+
+#ifdef ANIMATED_MESH_FEATURES_WITH_HDF5
+void write_dataset(const std::string& file, const std::string& name, std::vector<hsize_t> extent,
+                   const std::vector<float>& values)
+{
+  using IO::internal::Hdf5_handle;
+  const bool exists = std::filesystem::exists(file);
+  const Hdf5_handle f(exists ? H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT)
+                             : H5Fcreate(file.c_str(), H5F_ACC_EXCL, H5P_DEFAULT, H5P_DEFAULT),
+                      H5Fclose);
+  const Hdf5_handle space(H5Screate_simple(int(extent.size()), extent.data(), nullptr), H5Sclose);
+  const Hdf5_handle groups(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+  H5Pset_create_intermediate_group(groups.id(), 1);
+  // faces are whole numbers, as D-FAUST's are
+  const hid_t type = extent.size() == 2 ? H5T_STD_U32LE : H5T_IEEE_F32BE;
+  const Hdf5_handle d(H5Dcreate2(f.id(), name.c_str(), type, space.id(), groups.id(), H5P_DEFAULT, H5P_DEFAULT),
+                      H5Dclose);
+  CHECK(H5Dwrite(d.id(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
+}
+
+void test_hdf5()
+{
+  const Temporary_folder folder;
+  const std::string file = folder.path("bodies.h5");
+  const std::size_t n = 5, frames = 7;
+  const auto x = [](std::size_t v, std::size_t k, std::size_t f) { return float(v) + 10 * float(k) + 100 * float(f); };
+  std::vector<float> by_vertex, by_frame;
+  for (std::size_t v = 0; v < n; ++v)
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t f = 0; f < frames; ++f) by_vertex.push_back(x(v, k, f));
+  for (std::size_t f = 0; f < frames; ++f)
+    for (std::size_t v = 0; v < n; ++v)
+      for (std::size_t k = 0; k < 3; ++k) by_frame.push_back(x(v, k, f));
+  write_dataset(file, "50002_punching", {n, 3, frames}, by_vertex);
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file), "has no dataset \"faces\"");
+  write_dataset(file, "faces", {2, 3}, {0, 1, 2, 2, 1, 4});
+  write_dataset(file, "group/walking", {frames, n, 3}, by_frame);
+  write_dataset(file, "short", {4, 3, frames}, std::vector<float>(12 * frames));
+  write_dataset(file, "doubtful", {5, 5, 3}, std::vector<float>(75));
+  write_dataset(file, "unclear", {6, 3, 3}, std::vector<float>(54));
+  write_dataset(file, "bad", {n, 3, 2}, std::vector<float>(30, std::numeric_limits<float>::quiet_NaN()));
+  write_dataset(file, "one", {n, 3, 1}, std::vector<float>(15));
+  write_dataset(file, "other faces", {1, 3}, {0, 1, 2});
+  write_dataset(file, "triples", {3, 3, 3}, std::vector<float>(27));
+
+  std::size_t told_vertices = 0, told_frames = 0;
+  for (const char* name : {"", "50002_punching", "group/walking"}) {
+    const auto data = IO::read_hdf5<double>(file, name, "faces",
+                                            [&](std::size_t v, std::size_t f) { told_vertices = v, told_frames = f; });
+    CHECK(told_vertices == n && told_frames == frames && data.frames == frames);
+    CHECK((data.mesh.triangles == Triangles{{{0, 1, 2}}, {{2, 1, 4}}}) && data.mesh.points.size() == n);
+    CHECK(data.origins.empty());
+    for (std::size_t v = 0; v < n; ++v)
+      for (std::size_t f = 0; f < frames; ++f)
+        CHECK(data.x(v, f) == x(v, 0, f) && data.y(v, f) == x(v, 1, f) && data.z(v, f) == x(v, 2, f));
+  }
+  const auto by_number = IO::read_hdf5<float>(file, "3");
+  CHECK(by_number.clip == 3 && by_number.clips[3] == "group/walking" && by_number.frames == frames);
+  CHECK_THROWS(Option_error, IO::read_hdf5<double>(file, "swimming"), "there is no clip \"swimming\"");
+  CHECK_THROWS(Option_error, IO::read_hdf5<double>(file, "swimming"), "0 \"50002_punching\"");
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "short"), "dataset short is 4 x 3 x 7, neither");
+  CHECK(IO::read_hdf5<double>(file, "doubtful").frames == 5); // 5 x 5 x 3 can be read in one way only
+  CHECK(IO::read_hdf5<double>(file, "unclear").mesh.points.size() == 6);
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "triples", "other faces"), "would be possible");
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "bad"), "dataset bad, frame 0, vertex 0");
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "one"), "one frame");
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "", "triples"), "not triangles x 3");
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(folder.write("text.h5", "text")),
+               "text.h5: is no readable HDF5 file");
+}
+#endif
+
+#ifdef ANIMATED_MESH_FEATURES_WITH_HDF5
+// A file for the program: a sheet of 20 x 20 vertices on which a bump rises and falls, in 30 frames.
+int write_sheet(const std::string& file)
+{
+  const std::size_t n = 20, frames = 30;
+  std::vector<float> positions, faces;
+  for (std::size_t v = 0; v < n * n; ++v)
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t f = 0; f < frames; ++f) {
+        const double x = double(v % n) - 9.5, y = double(v / n) - 9.5, t = double(f) - 14.5;
+        positions.push_back(float(k == 0 ? x : k == 1 ? y : 5 * std::exp(-(x * x + y * y) / 8 - t * t / 18)));
+      }
+  for (std::size_t v = 0; v < n * n; ++v)
+    if (v % n + 1 < n && v / n + 1 < n)
+      for (std::size_t c : {v, v + 1, v + n, v + 1, v + n + 1, v + n}) faces.push_back(float(c));
+  write_dataset(file, "50002_sheet", {n * n, 3, frames}, positions);
+  write_dataset(file, "triangles", {faces.size() / 3, 3}, faces);
+  return failures() == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+#endif
+
+#ifdef ANIMATED_MESH_FEATURES_WITH_ASSIMP
+// Debian's models for testing assimp (package assimp-testmodels, BSD-3-clause).
+void test_assimp()
+{
+  const Temporary_folder folder;
+  CHECK_THROWS(Input_error, IO::read_assimp(folder.write("text.fbx", "text")),
+               "text.fbx: cannot be read through assimp");
+  const std::string models = "/usr/share/assimp/models/";
+  if (!std::filesystem::exists(models + "FBX/animation_with_skeleton.fbx")) {
+    std::cout << "SKIPPED: FBX and X, since Debian's package assimp-testmodels is not here" << std::endl;
+    return;
+  }
+  const auto fbx = IO::sample_clip<double>(IO::read_assimp(models + "FBX/animation_with_skeleton.fbx"), {}, "fbx");
+  CHECK(fbx.frames == 61 && fbx.mesh.points.size() == 1058 && fbx.mesh.triangles.size() == 2112 &&
+        fbx.clips.size() == 1);
+  CHECK_NEAR(fbx.times.back(), 0.8333, 1e-4);
+  CHECK(CGAL::is_closed(IO::to_surface_mesh(fbx.mesh, "fbx")));
+
+  const auto x = IO::sample_clip<double>(IO::read_assimp(models + "X/BCN_Epileptic.X"), {}, "x");
+  CHECK(x.mesh.points.size() == 2633 && x.origins.parts.size() == 3 && x.frames == 100);
+  auto surface = IO::to_surface_mesh(x.mesh, "x");
+  std::size_t borders = 0;
+  for (auto h : halfedges(surface)) borders += is_border(h, surface) ? 1 : 0;
+  CHECK(borders == 130);
+  auto component = surface.add_property_map<decltype(surface)::Face_index, std::size_t>("f:component").first;
+  // Head, torso and legs meet to six decimals only, which is not coincidence; in the head are eyes and a mouth.
+  CHECK_NEAR(CGAL::Polygon_mesh_processing::connected_components(surface, component), 6, 0);
+}
+#endif
+
+#ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
+int dump(const std::string& file, const std::string& clip, const std::string& frames, const std::string& to)
+{
+  IO::Clip_sampling sampling;
+  sampling.clip = clip;
+  sampling.frames = std::stoul(frames);
+  const auto data = IO::sample_clip<double>(IO::read_gltf(file), sampling, file);
+  std::ofstream map(to + ".csv"), numbers(to + ".bin", std::ios::binary);
+  IO::write_vertex_map(map, data.origins, data.mesh.points.size());
+  const auto write = [&](auto x) { numbers.write(reinterpret_cast<const char*>(&x), sizeof(x)); };
+  write(std::uint64_t(data.frames));
+  write(std::uint64_t(data.mesh.points.size()));
+  write(std::uint64_t(data.mesh.triangles.size()));
+  for (const auto& triangle : data.mesh.triangles)
+    for (std::size_t v : triangle) write(std::uint64_t(v));
+  for (double t : data.times) write(t);
+  for (std::size_t f = 0; f < data.frames; ++f)
+    for (std::size_t v = 0; v < data.mesh.points.size(); ++v) {
+      write(data.x(v, f));
+      write(data.y(v, f));
+      write(data.z(v, f));
+    }
+  numbers.close();
+  return numbers ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+#endif
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  if (argc > 1) {
+    try {
+#ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
+      if (argc == 6 && argv[1] == std::string("dump")) return dump(argv[2], argv[3], argv[4], argv[5]);
+#endif
+#ifdef ANIMATED_MESH_FEATURES_WITH_HDF5
+      if (argc == 3 && argv[1] == std::string("sheet")) return write_sheet(argv[2]);
+#endif
+    } catch (const std::exception& e) {
+      std::cerr << e.what() << std::endl;
+    }
+    return EXIT_FAILURE;
+  }
+  use_hostile_locale();
+  test_tracks();
+  test_evaluation_errors();
+  test_sampling();
+  test_sampled_clip();
+  test_coincidence();
+  test_welding();
+#ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
+  test_bad_gltf();
+#else
+  std::cout << "SKIPPED: glTF, since tinygltf is not here" << std::endl;
+#endif
+#ifdef ANIMATED_MESH_FEATURES_WITH_HDF5
+  test_hdf5();
+#else
+  std::cout << "SKIPPED: HDF5, since its library is not here" << std::endl;
+#endif
+#ifdef ANIMATED_MESH_FEATURES_WITH_ASSIMP
+  test_assimp();
+#else
+  std::cout << "SKIPPED: FBX and X, since assimp is not here" << std::endl;
+#endif
+  return test_result();
+}

@@ -1,0 +1,182 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Animated_mesh_features authors.
+#
+# This file is part of the package Animated_mesh_features for CGAL.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Animated models from files: what the package reads from glTF against an independent evaluation, on made files and on real
+# ones; detect_features with models.
+# DETECT_FEATURES is the program and TEST_ANIMATED_MODELS the test that writes what is read, WITH_FORMATS says which
+# libraries they were built with. Real files are fetched to ASSETS; a part that cannot run here is told as SKIPPED.
+
+set -u
+program="${DETECT_FEATURES:-}"
+dump="${TEST_ANIMATED_MODELS:-}"
+formats="${WITH_FORMATS:-}"
+here="$(cd "$(dirname "$0")" && pwd)"
+if [[ -z "$program" || -z "$dump" || " $formats " != *" tinygltf "* ]] || ! command -v python3 >/dev/null; then
+  echo "skipped: needs DETECT_FEATURES, TEST_ANIMATED_MODELS, tinygltf and python3"
+  exit 77
+fi
+assets="${ASSETS:-$PWD/assets}"
+
+folder="$(mktemp -d)"
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+export PYTHONDONTWRITEBYTECODE=1
+failed=0
+
+fail() {
+  echo "failed: $*"
+  failed=1
+}
+
+# expect <exit code> <part of the messages> <arguments...>: leaves the two outputs in the files out and err
+expect() {
+  local code="$1" message="$2"
+  shift 2
+  "$program" "$@" >out 2>err </dev/null
+  local got=$?
+  [[ $got -eq $code ]] || fail "$*: exit code $got, not $code: $(head -c 300 err)"
+  [[ -z "$message" ]] || grep -qF -- "$message" err || fail "$*: no message \"$message\" but: $(head -c 300 err)"
+}
+
+python3 "$here/gltf_files/check_gltf.py" "$dump" || fail "made files"
+
+cube=/usr/share/assimp/models/glTF2/glTF-Sample-Models/AnimatedMorphCube-glTF/AnimatedMorphCube.gltf
+if [[ -f "$cube" ]]; then
+  python3 "$here/gltf_files/check_gltf.py" "$dump" "$cube" Square 127 8 || fail "AnimatedMorphCube"
+else
+  echo "SKIPPED: AnimatedMorphCube, since Debian's package assimp-testmodels is not here"
+fi
+
+# Other formats: that the program knows them, or says what it lacks.
+fbx=/usr/share/assimp/models/FBX/animation_with_skeleton.fbx
+echo text >text.fbx
+if [[ " $formats " != *" assimp "* ]]; then
+  expect 3 "text.fbx: this detect_features was built without assimp" text.fbx
+else
+  expect 3 "text.fbx: cannot be read through assimp" text.fbx
+  if [[ -f "$fbx" ]]; then
+    expect 0 "best effort" "$fbx" --verbose -o fbx.json
+    grep -qF "1058 vertices, 2112 triangles, 61 frames" err || fail "FBX: $(cat err)"
+  else
+    echo "SKIPPED: FBX, since Debian's package assimp-testmodels is not here"
+  fi
+fi
+echo text >text.h5
+if [[ " $formats " != *" HDF5 "* ]]; then
+  expect 3 "text.h5: this detect_features was built without HDF5" text.h5
+else
+  "$dump" sheet sheet.h5 || fail "cannot write an HDF5 file"
+  cp sheet.h5 sheet
+  expect 3 "has no dataset \"faces\"" sheet.h5
+  expect 2 'there is no clip "walk"; clips are 0 "50002_sheet"' sheet.h5 --faces triangles --clip walk
+  expect 2 "--frames goes with" sheet.h5 --faces triangles --frames 9
+  expect 0 "" sheet --faces triangles --clip 50002_sheet -o sheet.json
+  python3 - <<'PYTHON' || fail "HDF5"
+import json
+x = json.load(open("sheet.json"))
+a, p = x["animation"], x["parameters"]
+assert (a["vertices"], a["faces"], a["frames"]) == (400, 722, 30) and abs(p["fps"] - 60) < 1e-9
+assert (p["clip"], p["faces"], p["frames"]) == ("50002_sheet", "triangles", None) and "parts" not in a
+PYTHON
+fi
+
+hands=true
+"$here/../../scripts/fetch_hands.sh" "$assets"
+case $? in
+  0) ;;
+  77) hands=false ;;
+  *) fail "the hands" ;;
+esac
+if ! $hands; then
+  echo "SKIPPED: the hands, and with them the program's options for models"
+  exit $failed
+fi
+right="$assets/rightHandHigh.glb"
+left="$assets/leftHandHigh.glb"
+python3 "$here/gltf_files/check_gltf.py" "$dump" "$right" Fist 9 1162 "$left" "Point + Thumb" 4 1162 || fail "the hands"
+
+# ----------------------------------------------------------------------------------------------------- the program
+
+cp "$right" hand.glb
+cp "$left" left.glb
+expect 0 "" hand.glb --clip Fist --there-and-back --verbose -o x.json -o x.csv --vertex-map map.csv
+grep -qF 'clips: 0 "Grip", 1 "Thumb Up", 2 "Hold", 3 "Point", 4 "Fist"' err || fail "no list of clips: $(cat err)"
+grep -qF "1162 vertices, 2320 triangles, 95 frames" err || fail "--verbose: $(cat err)"
+grep -qF "1425 vertices of the file became 1162" err || fail "nothing about welding: $(cat err)"
+grep -qF "Unboring" err || fail "nothing about the author: $(cat err)"
+python3 - <<'PYTHON' || fail "the outputs for a model"
+import csv, json
+x = json.load(open("x.json"))
+a, p = x["animation"], x["parameters"]
+assert (a["vertices"], a["faces"], a["frames"]) == (1162, 2320, 95) and abs(a["frame_duration"] * 47 - 0.25) < 1e-6
+assert (p["clip"], p["frames"], p["there_and_back"]) == ("Fist", 48, True)
+assert a["parts"] == [{"name": "node 16 (handR2320), mesh 0, primitive 0", "first_vertex": 0, "vertices": 1425}]
+rows = list(csv.DictReader(open("map.csv")))
+assert sorted(int(r["file_vertex"]) for r in rows) == list(range(1425))
+assert {int(r["vertex"]) for r in rows} == set(range(1162))
+of = {}
+for r in rows:
+    of.setdefault(int(r["vertex"]), []).append(int(r["file_vertex"]))
+assert len(x["features"]) > 3 and all(f["file_vertices"] == of[f["vertex"]] for f in x["features"])
+table = list(csv.DictReader(open("x.csv")))
+assert [[int(v) for v in r["file_vertices"].split()] for r in table] == [f["file_vertices"] for f in x["features"]]
+PYTHON
+
+# The parameters are all that is needed to do it again; a clip by number is the same, and so is a name without ending.
+fps="$(python3 -c 'import json; print(json.load(open("x.json"))["parameters"]["fps"])')"
+expect 0 "" hand.glb --clip Fist --frames 48 --there-and-back --fps "$fps" -o again.json
+cmp -s x.json again.json || fail "the parameters give another result"
+cp hand.glb hand
+expect 0 "" hand --clip 4 --there-and-back -o number.json
+[[ "$(sed 's/.*"inputs".*//' number.json)" == "$(sed 's/.*"inputs".*//' x.json)" ]] || fail "another result by number"
+expect 0 'clip Grip, the first of 0 "Grip", 1 "Thumb Up"' hand.glb --frames 12 --tau-range :0.05 -o y.json
+expect 0 "" hand.glb --fps 100 --clip Fist --tau-range :0.05 -o y.json
+python3 - <<'PYTHON' || fail "a rate"
+import json
+y = json.load(open("y.json"))
+assert y["animation"]["frames"] == 26 and y["animation"]["frame_duration"] == 0.01 and y["parameters"]["frames"] is None
+PYTHON
+
+# A mirrored hand has the same features; the left hand is one in its bones and skin, but makes a fist of its own.
+compare=(python3 "$here/gltf_files/compare_hands.py")
+fist=(--clip Fist --there-and-back --quiet)
+"${compare[@]}" mirror hand.glb mirrored.glb || fail "mirroring"
+cp x.json right.json
+expect 0 "" mirrored.glb "${fist[@]}" -o mirrored.json
+"${compare[@]}" exact right.json mirrored.json || fail "a mirror image has other features"
+expect 0 "" left.glb "${fist[@]}" -o left.json
+for hand in right left; do
+  cp "$assets/${hand}HandHigh.glb" either.glb
+  expect 0 "" either.glb "${fist[@]}" --threshold 0.02 --no-suppression -o "all_$hand.json"
+done
+"${compare[@]}" alike right.json left.json all_right.json all_left.json hand.glb Fist || fail "the hands differ"
+
+rm -f x.json
+for what in "2|there is no clip \"Wave\"; clips are 0 \"Grip\"|hand.glb --clip Wave" \
+  "2|no clip|hand.glb --clip 7" \
+  "2|--frames: at least 3|hand.glb --frames 2" \
+  "2|shorter than a frame|hand.glb --fps 1" \
+  "2|--there-and-back goes with|a.obj b.obj c.obj --there-and-back" \
+  "2|--faces goes with|hand.glb --faces f" \
+  "3|must be the only input|hand.glb left.glb" \
+  "3|missing.glb: cannot read|missing.glb" \
+  "3|text.glb: is no readable glTF 2.0|text.glb" \
+  "3|cut.glb: is no readable glTF 2.0|cut.glb" \
+  "2|--clip goes with|a.obj b.obj c.obj --clip x" \
+  "2|--frames goes with|a.obj b.obj c.obj --frames 5" \
+  "4|nowhere/map.csv: cannot write|hand.glb --vertex-map nowhere/map.csv"; do
+  echo text >text.glb
+  head -c 100000 hand.glb >cut.glb
+  printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' | tee a.obj b.obj >c.obj
+  IFS='|' read -r code message arguments <<<"$what"
+  # shellcheck disable=SC2086
+  expect "$code" "$message" $arguments -o x.json
+  [[ ! -e x.json ]] || fail "x.json in spite of an error: $arguments"
+done
+
+[[ $failed -eq 0 ]] && echo "glTF and detect_features: all as expected"
+exit $failed
