@@ -18,7 +18,7 @@ samples with a positive response do not become features.
 A sample whose response is at most \f$2^{-30} (|a| + |b|) \max|d|\f$, for the weights a and b of the response and the field
 d, is none, whatever a model says: a hundredth of what single precision rounds. Samples that are level with a neighbour are
 no minima, and rounding must not decide on that: the functions are called with a response at the sample that is raised by
-\f$2^{-40} (|a| + |b|) \max|d|\f$.
+that much.
 
 A model is copy-constructible. Its functions are called from several threads at the same time, with `double` as `FT`.
 

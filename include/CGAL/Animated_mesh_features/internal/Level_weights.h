@@ -25,10 +25,6 @@ public:
   // some frames or vertices have minima of rounding errors there.
   static constexpr double noise = 1. / (1 << 30);
 
-  // By how much, as a share of the same, a minimum is below its neighbours: what double precision rounds, many times.
-  // Where a field does not change in time, responses of successive frames differ by such errors only.
-  static constexpr double tie = noise / (1 << 10);
-
   // For space levels [below, space_levels - above), time levels likewise. No response that is at most `least` counts.
   template <class Response>
   Level_weights(const Response& response, std::size_t space_levels, std::size_t time_levels, double largest_value,
@@ -50,16 +46,18 @@ public:
   double time(std::size_t k, std::size_t l) const { return m_time[k * m_time_levels + l]; }
 
   // A response that is not larger is no extremum.
-  double floor(std::size_t k, std::size_t l) const
-  {
-    return (std::max)(m_least, m_noise * (std::abs(space(k, l)) + std::abs(time(k, l))));
-  }
+  double floor(std::size_t k, std::size_t l) const { return (std::max)(m_least, margin(k, l)); }
 
-  // What is not below a neighbour by more is level with it.
+  // What is not below a neighbour by more is level with it. Where a field does not change in time, responses of successive
+  // frames differ by errors only, of which the largest are those of a spatial filter that solves in single precision.
   double margin(std::size_t k, std::size_t l) const
   {
-    return tie / noise * m_noise * (std::abs(space(k, l)) + std::abs(time(k, l)));
+    return m_noise * (std::abs(space(k, l)) + std::abs(time(k, l)));
   }
+
+  // If no level of a vertex is farther than that from its value in the first frame, responses are level in time: averages
+  // over time stay within twice that, and a response has two differences of them.
+  double still() const { return m_noise / 8; }
 
 private:
   std::size_t m_time_levels;
