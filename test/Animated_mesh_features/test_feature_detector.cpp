@@ -326,6 +326,27 @@ void test_own_field(const Bumpy_sphere& sphere, const Sequence& sequence, const 
   CHECK(same(detect_with(detector), features));
 }
 
+// A body that turns, in coordinates rounded as files round them: deformation is noise, and known to be, wherever it goes.
+void test_rounded_coordinates(const Bumpy_sphere& sphere, const Mesh& mesh)
+{
+  std::vector<std::vector<Point_3>> frames(12);
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const double c = std::cos(0.1 * double(f)), s = std::sin(0.1 * double(f));
+    for (const Point_3& p : sphere.rest)
+      frames[f].emplace_back(float(c * p.x() - s * p.y()), float(s * p.x() + c * p.y()), float(p.z()));
+  }
+  const Sequence sequence(mesh, frames, sphere.frame_duration);
+  Detector detector(sequence);
+  CHECK(detect_with(detector).empty());
+  CHECK(detector.number_of_minima() == 0);
+  Detector other(sequence);
+  other.set_deformation(detector.deformation(), detector.deformation_noise());
+  CHECK(other.deformation_noise() == detector.deformation_noise());
+  CHECK(detect_with(other).empty());
+  other.set_deformation(detector.deformation()); // taken at its word
+  CHECK(!detect_with(other).empty());
+}
+
 void test_option_errors(const Sequence& sequence)
 {
   for (double bad : {-1., std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
@@ -396,6 +417,7 @@ int main()
   test_own_animation(sphere, mesh, expected);
   test_threads(sequence, expected);
   test_own_field(sphere, sequence, expected);
+  test_rounded_coordinates(sphere, mesh);
   test_option_errors(sequence);
   test_number_of_levels(sequence);
   return test_result();

@@ -66,6 +66,7 @@ Values deformation(const Sequence& sequence, const Command_line& c, const Curvat
   if (is_wanted(Field::STRAIN)) use(Field::STRAIN, detector.strain(monitor));
   if (is_wanted(Field::CURVATURE)) use(Field::CURVATURE, detector.curvature_change(monitor));
   const Values& sum = detector.deformation(monitor);
+  result.deformation_noise = detector.deformation_noise();
   write(Field::DEFORMATION, sum); // kept by the detector of features as long as it takes
   return sum;
 }
@@ -82,7 +83,7 @@ void find_features(const Sequence& sequence, const Command_line& c, Values defor
                      .with_response(response);
   options.selection = result.selection;
   AMF::Feature_detector<Sequence, decltype(options)> detector(sequence, options);
-  detector.set_deformation(std::move(deformation));
+  detector.set_deformation(std::move(deformation), result.deformation_noise);
   detector.set_level_memory(level_memory);
   detector(std::back_inserter(result.features), monitor);
   if (c.is_shown(Field::DEFORMATION)) // first: it is what features are features of

@@ -35,6 +35,7 @@ struct Detection
   std::vector<double> sigma_levels, tau_levels;   // length, seconds
   std::size_t levels_below = 0, levels_above = 0; // of them, at which no features are searched: the first and the last
   double alpha = 0;
+  double deformation_noise = 0; // of the responses
   double ball_radius = 0;    // length; 0 if no balls were needed
   std::size_t box_width = 0; // frames; 0 if there is no box of given width
   CGAL::Animated_mesh_features::Triangle_weights triangle_weights;

@@ -126,14 +126,19 @@ public:
 
   /// takes a field of the user's own, `N x F`, in place of the deformation: temperature, muscle activity, error of a
   /// simulation.
+  /// \param noise responses that are at most that strong count as errors of the field.
   /// \throw Option_error if its shape is another; Input_error if a value is not finite.
-  void set_deformation(Field field)
+  void set_deformation(Field field, double noise = 0)
   {
     internal::check_field(field, animation().number_of_vertices(), animation().number_of_frames());
     m_deformation = std::move(field);
-    m_is_own_field = true;
+    m_noise = noise;
     m_minima.reset();
   }
+
+  /// the strength up to which a feature of the deformation may be an error that stems from the coordinates, because they
+  /// are rounded; or that of the field of the user's own.
+  double deformation_noise() const { return m_noise ? *m_noise : internal::deformation_noise(animation()); }
 
   /// the ball of each vertex on the rest shape.
   template <class Visitor>
@@ -256,7 +261,7 @@ private:
     constexpr std::size_t around = Options::SpaceTimeResponse::below + Options::SpaceTimeResponse::above + 2;
     const std::size_t levels_in_memory = m_level_memory / level_size;
     engine.set_largest_batch(levels_in_memory > around ? levels_in_memory - around : 1);
-    const double noise = m_is_own_field ? 0 : internal::deformation_noise(animation());
+    const double noise = deformation_noise();
     engine.set_least_response(noise);
     const std::vector<internal::Extremum> extrema =
         engine.template run<ConcurrencyTag>(field, m_options.spatial_filter, visitor);
@@ -312,7 +317,7 @@ private:
   Default_visitor m_default_visitor;
   std::optional<Compressed_rows> m_balls;
   std::optional<Field> m_strain, m_curvature_change, m_deformation;
-  bool m_is_own_field = false; // m_deformation
+  std::optional<double> m_noise; // of a field of the user's own
   std::optional<std::vector<Feature>> m_minima; // strongest first
   std::vector<double> m_sigma, m_tau;
   std::size_t m_level_memory = std::size_t(-1);
