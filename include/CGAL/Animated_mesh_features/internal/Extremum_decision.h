@@ -52,12 +52,11 @@ public:
   {
     const double centre = response(c.vertex, c.k, c.l, c.frame);
     if (!(std::abs(centre) > m_weights.floor(c.k, c.l))) return false;
-    const double raised = centre + m_weights.margin(c.k, c.l);
     // Neighbours first: a candidate has passed the test at its vertex already, if with less precision.
     extremum.ring.clear();
     for (Rest_shape::Index w : m_shape.neighbours()[c.vertex]) {
       const double same = response(w, c.k, c.l, c.frame);
-      if (!m_search.at_neighbour(raised, response(w, c.k, c.l, c.frame - 1), same,
+      if (!m_search.at_neighbour(centre, response(w, c.k, c.l, c.frame - 1), same,
                                  response(w, c.k, c.l, c.frame + 1)))
         return false;
       extremum.ring.push_back(same);
@@ -67,7 +66,7 @@ public:
         for (std::size_t m = 0; m < 3; ++m)
           extremum.window[i][j][m] = response(c.vertex, c.k + i - 1, c.l + j - 1, c.frame + m - 1);
     auto window = extremum.window;
-    window[1][1][1] = raised;
+    window[1][1][1] += m_weights.margin(c.k, c.l);
     if (!m_search.at_vertex(
             Response_window<double>(&window[0][1][1], &window[1][1][1], &window[2][1][1], std::ptrdiff_t(3))))
       return false;
