@@ -207,23 +207,23 @@ public:
 
   double largest() const { return m_largest; }
 
-  // below which responses and their differences count as rounding
+  // below which responses count as rounding
   double floor(std::size_t k, std::size_t l) const
   {
     const Weights& w = m_weights[k * m_time + l];
     return std::ldexp(1., -30) * (w.space + w.time) * m_largest_value;
   }
 
-  // By how much a sample is below zero and all that it has to be below of, apart from what counts as rounding.
+  // By how much a sample is below zero and all that it has to be below of.
   double margin(std::size_t k, std::size_t l, std::size_t v, std::size_t f) const
   {
-    const double centre = response(k, l, v, f), tie = floor(k, l);
-    double m = -centre - tie;
+    const double centre = response(k, l, v, f);
+    double m = -centre;
     for (std::size_t kk = k - 1; kk <= k + 1; ++kk)
       for (std::size_t ll = l - 1; ll <= l + 1; ++ll)
-        if (kk != k || ll != l) m = (std::min)(m, response(kk, ll, v, f) - centre - tie);
+        if (kk != k || ll != l) m = (std::min)(m, response(kk, ll, v, f) - centre);
     for (std::size_t ff = f - 1; ff <= f + 1; ++ff) {
-      if (ff != f) m = (std::min)(m, response(k, l, v, ff) - centre - tie);
+      if (ff != f) m = (std::min)(m, response(k, l, v, ff) - centre);
       for (Rest_shape::Index w : m_shape.neighbours()[v]) m = (std::min)(m, response(k, l, w, ff) - centre);
     }
     return m;
@@ -259,7 +259,7 @@ public:
       for (std::size_t l = below + 1; l + above + 1 < m_time; ++l)
         for (std::size_t v = 0; v < m_shape.number_of_vertices(); ++v)
           for (std::size_t f = 1; f + 1 < m_frames; ++f) {
-            const double m = margin(k, l, v, f);
+            const double m = (std::min)(margin(k, l, v, f), -response(k, l, v, f) - floor(k, l));
             const bool is_found = samples.erase(Sample(k, l, v, f)) > 0;
             expected += m > 0;
             unclear += std::abs(m) <= tolerance;
@@ -478,12 +478,6 @@ void test_ties()
   Field tied = field;
   tied(centre, 5) = 5;
   CHECK(number(tied) == 0);
-  for (const int sign : {-1, 1}) {
-    tied(centre, 5) = 5 + sign * std::ldexp(1., -50);
-    CHECK(number(tied) == 0); // the same but for rounding
-    tied(centre, 5) = 5 + sign * std::ldexp(1., -20);
-    CHECK(number(tied) == 1); // one of them
-  }
   tied = field;
   tied(centre, 6) = 5;
   CHECK(number(tied) == 2); // two frames apart they are two
@@ -495,44 +489,40 @@ void test_ties()
   // two levels of the same response
   space[4] = 8;
   CHECK(number(field) == 0);
-  space[4] = 8 + std::ldexp(1., -20);
+  space[4] = 8 + std::ldexp(1., -30);
   CHECK(number(field) == 1);
   time[3] = 2;
   CHECK(number(field) == 0);
-  time[3] = 2 - std::ldexp(1., -20);
+  time[3] = 2 - std::ldexp(1., -30);
   CHECK(number(field) == 1);
 }
 
-// Rounding makes no minima of what is constant, whatever it is on the surface.
+// What is flat up to rounding has extrema of the size of rounding at most.
 void test_constant_fields()
 {
   Random random(52);
   const Rest_shape shape = rest_shape_of(mixed_surface(random));
   const double h = shape.mean_edge_length();
   const Levels levels = levels_at_ratio(9, 8, 0.5 * h * h, std::sqrt(2.));
-  const std::size_t n = shape.number_of_vertices(), frames = 12;
-  const auto look = [&](const Field& field) {
-    std::size_t number = 0;
-    const auto add = [&](const auto& spatial, const auto& temporal) {
-      number += extrema_of(shape, field, levels, spatial, temporal, Amf::Central_difference_of_gaussians()).size();
-    };
-    add(Amf::Heat_diffusion_filter(), Amf::Gaussian_temporal_filter());
-    add(Amf::Heat_diffusion_filter(), Amf::Box_temporal_filter());
-    add(Amf::One_ring_average_filter(), Amf::Gaussian_temporal_filter());
-    add(Amf::One_ring_average_filter(), Amf::Box_temporal_filter());
-    CHECK(number == 0);
-  };
+  std::size_t number = 0;
+  double strongest = 0;
   for (const double constant : {0.1, 1., 1 / 3., 12345.6}) {
-    Field field(n, frames), of_vertex = field;
-    const Field factors = noise(n, frames, random);
-    for (std::size_t v = 0; v < n; ++v)
-      for (std::size_t f = 0; f < frames; ++f) {
-        field(v, f) = constant;
-        of_vertex(v, f) = constant * factors(v, 0);
-      }
-    look(field);
-    look(of_vertex);
+    Field field(shape.number_of_vertices(), 12);
+    for (std::size_t v = 0; v < shape.number_of_vertices(); ++v)
+      for (std::size_t f = 0; f < 12; ++f) field(v, f) = constant;
+    const auto look = [&](const auto& spatial, const auto& temporal) {
+      const auto found = extrema_of(shape, field, levels, spatial, temporal, Amf::Central_difference_of_gaussians());
+      number += found.size();
+      for (const Extremum& e : found) strongest = (std::max)(strongest, -e.response() / constant);
+    };
+    look(Amf::Heat_diffusion_filter(), Amf::Gaussian_temporal_filter());
+    look(Amf::Heat_diffusion_filter(), Amf::Box_temporal_filter());
+    look(Amf::One_ring_average_filter(), Amf::Gaussian_temporal_filter());
+    look(Amf::One_ring_average_filter(), Amf::Box_temporal_filter());
   }
+  std::cout << "constant fields: " << number << " extrema by rounding, response / constant up to " << strongest
+            << std::endl;
+  CHECK(strongest < 1e-13);
 }
 
 // The window of a quadratic with its minimum, of value `least`, at `x`.

@@ -16,9 +16,7 @@ A sample that is accepted is refined between samples as a minimum. Its strength 
 samples with a positive response do not become features.
 
 A sample whose response is at most \f$2^{-30} (|a| + |b|) \max|d|\f$, for the weights a and b of the response and the field
-d, is none, whatever a model says: a hundredth of what single precision rounds. Samples that
-are level with those before or behind them in time or scale are no minima, and rounding must not decide on that:
-`at_vertex()` is called with a response at the sample that is raised by that much.
+d, is none, whatever a model says: a hundredth of what single precision rounds.
 
 A model is copy-constructible. Its functions are called from several threads at the same time, with `double` as `FT`.
 

@@ -56,8 +56,7 @@ public:
   /// `true`: `operator()` may be called with packs of numbers as `T`, values of several rows in one frame. They have a
   /// default value without meaning and copies, `T + T`, `T - T` and `T * T::Scalar`, where `T::Scalar` is `float` or
   /// `double`; of the sum of absolute weights times the largest value, at most some rounding errors of `T::Scalar` may be
-  /// lost by a step. The weights are those of averages: not negative, with the sum 1. What the model calls on the way
-  /// should be inlined.
+  /// lost by a step. What the model calls on the way should be inlined.
   static constexpr bool vectorized = true;
 
   /// whether every level l > 0 is level l - 1 after one and the same operation. Then differences of levels are smoothed

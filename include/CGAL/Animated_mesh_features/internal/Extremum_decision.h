@@ -65,8 +65,7 @@ public:
       for (std::size_t j = 0; j < 3; ++j)
         for (std::size_t m = 0; m < 3; ++m)
           extremum.window[i][j][m] = response(c.vertex, c.k + i - 1, c.l + j - 1, c.frame + m - 1);
-    auto window = extremum.window;
-    window[1][1][1] += m_weights.margin(c.k, c.l);
+    const auto& window = extremum.window;
     if (!m_search.at_vertex(
             Response_window<double>(&window[0][1][1], &window[1][1][1], &window[2][1][1], std::ptrdiff_t(3))))
       return false;

@@ -18,8 +18,7 @@ namespace Animated_mesh_features {
 namespace internal {
 
 // The weights of a batch, in the order in which lanes need them: for each time level those of all space levels, the
-// responses at [batch.first - 1, batch.last + 1) in the first lanes. Weights of lanes without a level are zero. A minimum
-// is below its neighbours by more than `margin`, and with that below minus `floor`.
+// responses at [batch.first - 1, batch.last + 1) in the first lanes. Weights of lanes without a level are zero.
 template <class T>
 class Lane_weights
 {
@@ -29,26 +28,23 @@ public:
     , m_space(time_levels * lanes, 0)
     , m_time(time_levels * lanes, 0)
     , m_floor(time_levels * lanes, 0)
-    , m_margin(time_levels * lanes, 0)
   {
     for (std::size_t l = batch.below; l + batch.above < time_levels; ++l)
       for (std::size_t k = batch.first - 1; k < batch.last + 1; ++k) {
         const std::size_t i = l * lanes + k - (batch.first - 1);
         m_space[i] = T(weights.space(k, l));
         m_time[i] = T(weights.time(k, l));
-        m_floor[i] = T(weights.floor(k, l) - weights.margin(k, l));
-        m_margin[i] = T(weights.margin(k, l));
+        m_floor[i] = T(weights.floor(k, l));
       }
   }
 
   const T* space(std::size_t l) const { return m_space.data() + l * m_lanes; }
   const T* time(std::size_t l) const { return m_time.data() + l * m_lanes; }
   const T* floor(std::size_t l) const { return m_floor.data() + l * m_lanes; }
-  const T* margin(std::size_t l) const { return m_margin.data() + l * m_lanes; }
 
 private:
   std::size_t m_lanes;
-  std::vector<T> m_space, m_time, m_floor, m_margin; // [l][lane]
+  std::vector<T> m_space, m_time, m_floor; // [l][lane]
 };
 
 } // namespace internal

@@ -46,19 +46,10 @@ public:
   double time(std::size_t k, std::size_t l) const { return m_time[k * m_time_levels + l]; }
 
   // A response that is not larger is no extremum.
-  double floor(std::size_t k, std::size_t l) const { return (std::max)(m_least, margin(k, l)); }
-
-  // What is not below a neighbour in time or scale by more is level with it. Where a field does not change in time,
-  // responses of successive frames differ by errors only, of which the largest are those of a spatial filter that solves in
-  // single precision. (Not so for neighbours on the surface: a body may be symmetric, with a vertex on either side.)
-  double margin(std::size_t k, std::size_t l) const
+  double floor(std::size_t k, std::size_t l) const
   {
-    return m_noise * (std::abs(space(k, l)) + std::abs(time(k, l)));
+    return (std::max)(m_least, m_noise * (std::abs(space(k, l)) + std::abs(time(k, l))));
   }
-
-  // If no level of a vertex is farther than that from its value in the first frame, responses are level in time: averages
-  // over time stay within twice that, and a response has two differences of them.
-  double still() const { return m_noise / 8; }
 
 private:
   std::size_t m_time_levels;

@@ -13,7 +13,6 @@
 #include <CGAL/Animated_mesh_features/internal/Response_lanes.h>
 #include <CGAL/Animated_mesh_features/internal/run_vectorized.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -52,7 +51,6 @@ public:
     , m_frames(number_of_frames)
     , m_time_levels(time_levels)
     , m_instructions(instructions)
-    , m_still(weights.still())
   {
     if constexpr (!is_precise)
       m_precise = std::make_shared<const Precise_proposer>(batch, weights, chains.precise(), number_of_frames,
@@ -83,16 +81,6 @@ private:
     }
   };
 
-  bool is_still(std::size_t v) const
-  {
-    for (std::size_t k = m_batch.first_level(); k < m_batch.last_level(); ++k) {
-      const double* const row = m_batch.row(k, v);
-      for (std::size_t f = 1; f < m_frames; ++f)
-        if (std::abs(row[f] - row[0]) > m_still) return false;
-    }
-    return true;
-  }
-
   // Deciding on that many takes about as long as searching again.
   std::size_t most_candidates() const
   {
@@ -110,14 +98,13 @@ private:
     const std::size_t last_lane = m_batch.last - m_batch.first + 1;
     const std::size_t first = m_batch.below, last = m_time_levels - m_batch.above, most = most_candidates();
     for (std::size_t v = first_vertex; v < last_vertex; ++v) {
-      if (is_still(v)) continue;
       const std::size_t clear = candidates.size();
       rows.start(v);
       responses.start(first);
       for (std::size_t l = first; l < last; ++l) {
         rows.advance(l);
         const L a = L::load(m_weights.space(l)), b = L::load(m_weights.time(l));
-        responses.push(rows.slack(a, b) - L::load(m_weights.margin(l)), L::load(m_weights.floor(l)),
+        responses.push(rows.slack(a, b), L::load(m_weights.floor(l)),
                        [&](std::size_t f) { return rows.response(a, b, f); });
         if (!responses.can_search()) continue;
         const std::size_t searched = responses.searched_level();
@@ -139,7 +126,6 @@ private:
   const Chains m_chains;
   std::size_t m_frames, m_time_levels;
   Instruction_set m_instructions;
-  double m_still;
   std::shared_ptr<const Precise_proposer> m_precise;
 };
 
