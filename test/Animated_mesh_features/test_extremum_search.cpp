@@ -407,6 +407,33 @@ void test_against_brute_force()
   CHECK(total > 1000);
 }
 
+// What varies by a ten-millionth of itself: more than what counts as zero, less than what single precision can tell, so
+// that every vertex is searched in double.
+void test_small_variations()
+{
+  Random random(55);
+  const Rest_shape shape = rest_shape_of(mixed_surface(random));
+  Field field = noise(shape.number_of_vertices(), 20, random);
+  for (std::size_t v = 0; v < field.number_of_rows(); ++v)
+    for (std::size_t f = 0; f < field.number_of_frames(); ++f) field(v, f) = 1 + 1e-7 * field(v, f);
+  const Amf::One_ring_average_filter ring(false);
+  const double h = shape.mean_edge_length(), space_unit = ring.unit_variance(shape);
+  std::size_t total = 0;
+  const auto check = [&](const std::string& what, const Levels& levels, const auto& temporal, const auto& response) {
+    const Brute_force<Amf::One_ring_average_filter, std::decay_t<decltype(temporal)>, std::decay_t<decltype(response)>>
+        brute(shape, field, levels, ring, temporal, response);
+    // roundings of the field, as a share of the responses
+    total += brute.check(what, extrema_of(shape, field, levels, ring, temporal, response), 1e-6);
+  };
+  const Amf::Box_temporal_filter box(3);
+  const Amf::Gaussian_temporal_filter gaussian;
+  check("small variations, equal steps", levels_of_counts(20, 9, 0, space_unit, box.unit_variance(20, clock_tick)), box,
+        Amf::Forward_difference_of_gaussians());
+  check("small variations, levels far apart", levels_at_ratio(7, 7, 2 * h * h, 2), gaussian,
+        Amf::Central_difference_of_gaussians());
+  CHECK(total > 100);
+}
+
 // Filters that do nothing but multiply by numbers which are exact in binary, so that ties are ties.
 struct Multiplying_spatial_filter
 {
@@ -719,6 +746,7 @@ void test_suppression()
 int main()
 {
   test_against_brute_force();
+  test_small_variations();
   test_ties();
   test_constant_fields();
   test_refined_scales();

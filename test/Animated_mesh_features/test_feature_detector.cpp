@@ -343,6 +343,7 @@ void test_rounded_coordinates(const Bumpy_sphere& sphere, const Mesh& mesh)
   other.set_deformation(detector.deformation(), detector.deformation_noise());
   CHECK(other.deformation_noise() == detector.deformation_noise());
   CHECK(detect_with(other).empty());
+  CHECK_THROWS(AMF::Option_error, other.set_deformation(detector.deformation(), -1), "negative");
   other.set_deformation(detector.deformation()); // taken at its word
   CHECK(!detect_with(other).empty());
 }

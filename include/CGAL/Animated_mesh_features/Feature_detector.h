@@ -127,9 +127,10 @@ public:
   /// takes a field of the user's own, `N x F`, in place of the deformation: temperature, muscle activity, error of a
   /// simulation.
   /// \param noise responses that are at most that strong count as errors of the field.
-  /// \throw Option_error if its shape is another; Input_error if a value is not finite.
+  /// \throw Option_error if its shape is another or the noise is negative; Input_error if a value is not finite.
   void set_deformation(Field field, double noise = 0)
   {
+    if (!(noise >= 0)) throw Option_error("the noise of a deformation must not be negative");
     internal::check_field(field, animation().number_of_vertices(), animation().number_of_frames());
     m_deformation = std::move(field);
     m_noise = noise;
