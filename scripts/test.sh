@@ -74,7 +74,7 @@ stage_sanitizers()
 stage_threads()
 {
   local compiler tests
-  mapfile -t tests < <(cd test/Animated_mesh_features && grep -l Parallel_tag test_*.cpp | sed 's/[.]cpp$//')
+  mapfile -t tests < <(cd test/Animated_mesh_features && grep -lE 'Parallel_(if_available_)?tag|CGAL_LINKED_WITH_TBB' test_*.cpp | sed 's/[.]cpp$//')
   if [ ${#tests[@]} -eq 0 ]; then
     echo "no test runs in parallel" >&2
     return 1

@@ -32,14 +32,15 @@ void parallel_for(const blocked_range<Value>& range, const Body& body)
   }
 
   const std::size_t size = std::size_t(range.end() - range.begin());
-  const std::size_t portion = (std::max)(range.grainsize(), size / (8 * test::number_of_threads));
+  const int allowed = test::allowed_threads();
+  const std::size_t portion = (std::max)(range.grainsize(), size / (8 * std::size_t(allowed)));
   std::array<std::exception_ptr, test::number_of_threads> errors;
 
   const auto work = [&](int rank) {
     test::rank() = rank;
     test::in_loop() = true;
     try {
-      for (std::size_t first = std::size_t(rank) * portion; first < size; first += test::number_of_threads * portion) {
+      for (std::size_t first = std::size_t(rank) * portion; first < size; first += std::size_t(allowed) * portion) {
         const std::size_t last = (std::min)(size, first + portion);
         const Body own(body); // as TBB does
         own(blocked_range<Value>(range.begin() + Value(first), range.begin() + Value(last), range.grainsize()));
@@ -52,7 +53,7 @@ void parallel_for(const blocked_range<Value>& range, const Body& body)
   };
 
   std::vector<std::thread> threads;
-  for (int rank = 1; rank < test::number_of_threads; ++rank) threads.emplace_back(work, rank);
+  for (int rank = 1; rank < allowed; ++rank) threads.emplace_back(work, rank);
   work(0);
   for (std::thread& t : threads) t.join();
   for (const std::exception_ptr& e : errors)

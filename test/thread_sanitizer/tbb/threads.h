@@ -10,8 +10,16 @@
 namespace tbb {
 namespace test {
 
-// More than most test machines have cores: what matters is that accesses are not ordered.
+// At most, and where nothing limits them: more than most test machines have cores, since what matters is that accesses are
+// not ordered.
 constexpr int number_of_threads = 4;
+
+// What global_control sets.
+inline int& allowed_threads()
+{
+  static int n = number_of_threads;
+  return n;
+}
 
 // The rank of this thread in the loop that it takes part in; 0 as well outside of all loops.
 inline int& rank()
