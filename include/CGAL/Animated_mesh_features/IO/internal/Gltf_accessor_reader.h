@@ -7,7 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_GLTF_ACCESSOR_READER_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_GLTF_ACCESSOR_READER_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/IO/internal/Gltf_check.h>
 #include <CGAL/Animated_mesh_features/IO/internal/bytes.h>
 #include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
 
@@ -31,9 +31,9 @@ namespace internal {
 class Gltf_accessor_reader
 {
 public:
-  Gltf_accessor_reader(const tinygltf::Model& model, const std::string& file)
+  Gltf_accessor_reader(const tinygltf::Model& model, const Gltf_check& check)
     : m_model(model)
-    , m_file(file)
+    , m_check(check)
   {}
 
   // The elements of an accessor one behind the other, `width` numbers each. `use` says what for, for messages.
@@ -42,18 +42,18 @@ public:
     const tinygltf::Accessor& a = accessor(index, use);
     const std::string name = use + ": accessor " + std::to_string(index);
     if (components(a.type) != width)
-      fail(name + " has " + std::to_string(components(a.type)) + " numbers in an element, not " +
-           std::to_string(width));
+      m_check.fail(name + " has " + std::to_string(components(a.type)) + " numbers in an element, not " +
+                   std::to_string(width));
     const std::size_t most = most_elements();
-    if (a.count > most) fail(name + " has more elements than the file has bytes");
+    if (a.count > most) m_check.fail(name + " has more elements than the file has bytes");
     std::vector<double> values(a.count * width, 0);
     if (a.bufferView >= 0)
       read_elements({a.bufferView, a.byteOffset, a.componentType, a.normalized}, a.count, width, name, values.data());
     else if (!a.sparse.isSparse)
-      fail(name + " has no data; it may be compressed in a way that is not supported");
+      m_check.fail(name + " has no data; it may be compressed in a way that is not supported");
     if (a.sparse.isSparse) replace_sparse(a, width, name, values);
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (!is_finite(values[i])) fail(name + ": element " + std::to_string(i / width) + " is not finite");
+      if (!is_finite(values[i])) m_check.fail(name + ": element " + std::to_string(i / width) + " is not finite");
     return values;
   }
 
@@ -63,7 +63,7 @@ public:
     const int type = accessor(index, use).componentType;
     if (type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE && type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
         type != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT)
-      fail(use + ": accessor " + std::to_string(index) + " does not hold whole numbers");
+      m_check.fail(use + ": accessor " + std::to_string(index) + " does not hold whole numbers");
     const std::vector<double> values = read(index, width, use);
     std::vector<std::size_t> indices(values.size());
     std::transform(values.begin(), values.end(), indices.begin(), [](double x) { return std::size_t(x); });
@@ -82,7 +82,7 @@ private:
   const tinygltf::Accessor& accessor(int index, const std::string& use) const
   {
     if (index < 0 || std::size_t(index) >= m_model.accessors.size())
-      fail(use + ": there is no accessor " + std::to_string(index));
+      m_check.fail(use + ": there is no accessor " + std::to_string(index));
     return m_model.accessors[std::size_t(index)];
   }
 
@@ -118,7 +118,7 @@ private:
     case TINYGLTF_COMPONENT_TYPE_FLOAT:
       return read_as<float>(place, count, width, name, values);
     default:
-      fail(name + " has components of an unknown type " + std::to_string(place.component_type));
+      m_check.fail(name + " has components of an unknown type " + std::to_string(place.component_type));
     }
   }
 
@@ -127,17 +127,17 @@ private:
   {
     if (count == 0) return;
     if (place.view < 0 || std::size_t(place.view) >= m_model.bufferViews.size())
-      fail(name + ": there is no buffer view " + std::to_string(place.view));
+      m_check.fail(name + ": there is no buffer view " + std::to_string(place.view));
     const tinygltf::BufferView& view = m_model.bufferViews[std::size_t(place.view)];
     if (view.buffer < 0 || std::size_t(view.buffer) >= m_model.buffers.size())
-      fail(name + ": there is no buffer " + std::to_string(view.buffer));
+      m_check.fail(name + ": there is no buffer " + std::to_string(view.buffer));
     const std::vector<unsigned char>& data = m_model.buffers[std::size_t(view.buffer)].data;
     const std::size_t element = width * sizeof(Component);
     const std::size_t stride = view.byteStride == 0 ? element : view.byteStride;
     const bool is_inside = view.byteOffset <= data.size() && view.byteLength <= data.size() - view.byteOffset &&
                            place.offset <= view.byteLength && element <= view.byteLength - place.offset &&
                            (count - 1) <= (view.byteLength - place.offset - element) / stride;
-    if (!is_inside) fail(name + " exceeds its buffer");
+    if (!is_inside) m_check.fail(name + " exceeds its buffer");
     const char* bytes = reinterpret_cast<const char*>(data.data()) + view.byteOffset + place.offset;
     for (std::size_t i = 0; i < count; ++i, bytes += stride)
       for (std::size_t k = 0; k < width; ++k) {
@@ -162,7 +162,7 @@ private:
     const std::string sparse = name + ", sparse part";
     if (a.sparse.count < 0 || std::size_t(a.sparse.count) > a.count || a.sparse.indices.byteOffset < 0 ||
         a.sparse.values.byteOffset < 0)
-      fail(sparse + " has a size or place that makes no sense");
+      m_check.fail(sparse + " has a size or place that makes no sense");
     const std::size_t n = std::size_t(a.sparse.count);
     std::vector<double> indices(n), replacements(n * width);
     read_elements(
@@ -171,15 +171,14 @@ private:
     read_elements({a.sparse.values.bufferView, std::size_t(a.sparse.values.byteOffset), a.componentType, a.normalized},
                   n, width, sparse, replacements.data());
     for (std::size_t i = 0; i < n; ++i) {
-      if (!(indices[i] >= 0 && indices[i] < double(a.count))) fail(sparse + " replaces an element that is not there");
+      if (!(indices[i] >= 0 && indices[i] < double(a.count)))
+        m_check.fail(sparse + " replaces an element that is not there");
       std::copy(&replacements[i * width], &replacements[i * width] + width, &values[std::size_t(indices[i]) * width]);
     }
   }
 
-  [[noreturn]] void fail(const std::string& message) const { throw Input_error(m_file + ": " + message); }
-
   const tinygltf::Model& m_model;
-  const std::string& m_file;
+  const Gltf_check& m_check;
 };
 
 } // namespace internal
