@@ -1,0 +1,198 @@
+"""What is done to the pages that doxygen writes: navigation, titles, numbers of figures, an index for the search."""
+
+import html
+import json
+import re
+import xml.etree.ElementTree as ElementTree
+
+REFERENCE = "PkgAnimatedMeshFeaturesRef"
+# what doxygen writes for menus and trees of its own
+UNUSED = ["*.png", "doxygen.svg", "jquery.js", "dynsections.js", "tabs.css", "menu.js", "menudata.js"]
+
+
+def finish(folder, tag_file, pictures):
+    """Works on all pages of `folder`; `pictures` are the names of image files to keep."""
+    for pattern in UNUSED:
+        for path in folder.glob(pattern):
+            if path.name not in pictures:
+                path.unlink()
+    compounds = read_compounds(tag_file)
+    texts = {path.name: path.read_text(encoding="utf-8") for path in sorted(folder.glob("*.html"))}
+    concepts = {name for name, text in texts.items() if 'class="amf-kind">Concept<' in text}
+    figures = number_figures(texts["index.html"])
+    for name, text in texts.items():
+        text = with_short_title(text, name in concepts)
+        for anchor, number in figures.items():
+            text = text.replace(f">{anchor}</a>", f">Figure {number}</a>")
+        texts[name] = text
+    parts = outline(compounds, texts)
+    keep = reachable(texts, parts)
+    for name, text in texts.items():
+        path = folder / name
+        if name not in keep:
+            path.unlink()
+            continue
+        path.write_text(text.replace("<!-- navigation -->", navigation(parts, name)), encoding="utf-8")
+    index = [entry for entry in search_index(compounds, concepts, texts) if entry[3].split("#")[0] in keep]
+    (folder / "manual_index.js").write_text("var manualIndex = " + json.dumps(index, ensure_ascii=False,
+                                            separators=(",", ":")).replace("],[", "],\n[") + ";\n", encoding="utf-8")
+
+
+# ----------------------------------------------------------------------------------------------------------------- titles
+
+
+def number_figures(manual):
+    """Figures have numbers in the order of the user manual."""
+    anchors = re.findall(r'class="anchor" id="(fig__[^"]*)"', manual)
+    return {anchor: number for number, anchor in enumerate(dict.fromkeys(anchors), 1)}
+
+
+def with_short_title(text, is_concept):
+    """"CGAL::Name< T > Class Template Reference": the scope small, the kind behind it, no parameters."""
+    title = re.search(r'<div class="title">(.*?)(<div class="ingroups">|</div>)', text, re.DOTALL)
+    if not title:
+        return text
+    words = re.fullmatch(r"\s*(.*?)\s(Class|Struct|Union|Namespace)( Template)? Reference\s*", title.group(1), re.DOTALL)
+    if words:
+        name = re.sub(r"&lt;.*&gt;", "", words.group(1)).strip()
+        kind = "Concept" if is_concept else words.group(2) + (" template" if words.group(3) else "")
+        scope, separator, last = name.rpartition("::")
+        text = text.replace(title.group(0), '<div class="title">'
+                            f'<span class="amf-scope">{scope}{separator}</span><wbr/>{last} '
+                            f'<span class="amf-kind">{kind.lower()}</span>{title.group(2)}', 1)
+        text = re.sub("<title>[^<]*(?= &ndash;)", f"<title>{last}", text, count=1)
+    if is_concept:
+        text = text.replace('<p class="amf-kind">Concept</p>', "")
+        text = re.sub(r"\n<p><code>#include [^\n]*</code></p>", "", text, count=1)
+    return text
+
+
+# ------------------------------------------------------------------------------------------------------------- navigation
+
+
+def read_compounds(tag_file):
+    """What doxygen's tag file says of classes, groups and pages, by name."""
+    return {compound.findtext("name"): compound for compound in ElementTree.parse(tag_file).getroot().iter("compound")}
+
+
+def file_of(compound):
+    name = compound.findtext("filename")
+    return name if name.endswith(".html") else name + ".html"
+
+
+def short_name(name):
+    return name.rpartition("::")[2]
+
+
+def outline(compounds, texts):
+    """The manual as a tree of (title, address, children)."""
+    manual = []
+    for level, anchor, title in re.findall(r'<h([12])><a class="anchor" id="([^"]*)"></a>\s*(.*?)</h\1>',
+                                           texts["index.html"], re.DOTALL):
+        entry = (plain(title), f"index.html#{anchor}", [])
+        if level == "1" or not manual:
+            manual.append(entry)
+        else:
+            manual[-1][2].append(entry)
+    examples = sorted(name for name in texts if name.endswith("-example.html"))
+    result = [("User manual", "index.html", manual), group_outline(compounds, REFERENCE, "Reference manual")]
+    if examples:
+        result.append(("Examples", examples[0],
+                       [(plain_title(texts[name]).rpartition("/")[2], name, []) for name in examples]))
+    if "citelist.html" in texts:
+        result.append(("References", "citelist.html", []))
+    return result
+
+
+def group_outline(compounds, name, title=None):
+    group = compounds[name]
+    children = [group_outline(compounds, subgroup.text) for subgroup in group.findall("subgroup")]
+    for entry in group.findall("class"):
+        children.append((short_name(entry.text), file_of(compounds[entry.text]), []))
+    functions = {}
+    for member in group.findall("member"):
+        if member.get("kind") == "function":
+            functions.setdefault(short_name(member.findtext("name")) + "()", address(member))
+    children += [(function, target, []) for function, target in functions.items()]
+    return (title or group.findtext("title"), file_of(group), children)
+
+
+def address(member):
+    return member.findtext("anchorfile") + "#" + member.findtext("anchor")
+
+
+def plain(text):
+    return html.unescape(re.sub("<[^>]*>", "", text)).strip()
+
+
+def plain_title(text):
+    return plain(re.search(r'<div class="title">(.*?)</div>', text, re.DOTALL).group(1))
+
+
+def targets(parts):
+    for _, target, children in parts:
+        yield target
+        yield from targets(children)
+
+
+def reachable(texts, parts):
+    """The pages to which the navigation leads, or a page to which it leads."""
+    pending = [target.split("#")[0] for target in targets(parts)]
+    found = set()
+    while pending:
+        name = pending.pop()
+        if name in found or name not in texts:
+            continue
+        found.add(name)
+        pending += re.findall(r'href="([^":#]+\.html)', texts[name])
+    return found
+
+
+def navigation(parts, page):
+    """As a list without scripts: a part is open if it has the page."""
+    return ('<input type="checkbox" id="amf-nav-switch" aria-label="Show the contents of the manual"/>'
+            '<label for="amf-nav-switch" id="amf-nav-label">Contents</label>\n'
+            f'<nav id="amf-nav" aria-label="Manual">{nav_list(parts, page)}</nav>')
+
+
+def nav_list(parts, page):
+    items = []
+    for title, target, children in parts:
+        is_here = target == page
+        link = f'<a href="{target}"' + (' aria-current="page"' if is_here else "") + f">{html.escape(title)}</a>"
+        if children:
+            is_open = is_here or any(each.split("#")[0] == page for each in targets(children))
+            items.append(f'<li><details{" open" if is_open else ""}><summary>{link}</summary>'
+                         f"{nav_list(children, page)}</details></li>")
+        else:
+            items.append(f"<li>{link}</li>")
+    return "<ul>" + "\n".join(items) + "</ul>"
+
+
+# ----------------------------------------------------------------------------------------------------------------- search
+
+
+def search_index(compounds, concepts, texts):
+    """Rows of name, scope, kind, address."""
+    rows = {}
+    for name, compound in compounds.items():
+        kind = compound.get("kind")
+        if kind in ("class", "struct"):
+            scope = name.rpartition("::")[0]
+            target = file_of(compound)
+            rows[(short_name(name), scope, "concept" if target in concepts else kind, target)] = None
+        elif kind == "group":
+            rows[(compound.findtext("title"), "", "module", file_of(compound))] = None
+        if kind in ("class", "struct", "group", "namespace"):
+            for member in compound.findall("member"):
+                scope, _, last = member.findtext("name").rpartition("::")
+                if kind != "group":
+                    scope = name
+                rows[(last, scope, member.get("kind"), address(member))] = None
+    for page, title in (("index.html", "User manual"), ("citelist.html", "References")):
+        if page in texts:
+            rows[(title, "", "page", page)] = None
+    for level, anchor, title in re.findall(r'<h([1-3])><a class="anchor" id="([^"]*)"></a>\s*(.*?)</h\1>',
+                                           texts["index.html"], re.DOTALL):
+        rows[(plain(title), "User manual", "section", f"index.html#{anchor}")] = None
+    return sorted(rows, key=lambda row: (row[0].lower(), row))
