@@ -65,9 +65,9 @@ def configure(template, target, values):
     target.write_text(text, encoding="utf-8")
 
 
-def run_doxygen(options, output, settings=""):
-    """Returns the warnings. `settings` come last."""
-    source = options.source.resolve()
+def run_doxygen(doxygen, source, output, settings=""):
+    """Writes to the folder `output`, with more `settings` that come last. Returns the warnings."""
+    output.mkdir(parents=True, exist_ok=True)
     values = {
         "CGAL_DOC_VERSION": "",
         "CGAL_DOC_PACKAGE_DEFAULTS": output / "defaults.doxy",
@@ -89,10 +89,10 @@ def run_doxygen(options, output, settings=""):
         "CITE_BIB_FILES =\n" + settings, encoding="utf-8")
     log = output / "warnings.log"
     log.unlink(missing_ok=True)
-    result = subprocess.run([options.doxygen, output / "manual.doxy"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+    result = subprocess.run([doxygen, output / "manual.doxy"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                             text=True, check=False)
     if result.returncode != 0:
-        sys.exit(f"{result.stdout}\nmake_manual.py: {options.doxygen} failed")
+        sys.exit(f"{result.stdout}\n{doxygen} failed")
     text = result.stdout + (log.read_text(encoding="utf-8") if log.exists() else "")
     return [line for line in text.splitlines() if line.strip()]
 
@@ -100,12 +100,12 @@ def run_doxygen(options, output, settings=""):
 def main():
     options = arguments()
     output = options.output.resolve()
+    source = options.source.resolve()
     mathjax = find_mathjax(options.mathjax)
     shutil.rmtree(output / "html", ignore_errors=True)
-    output.mkdir(parents=True, exist_ok=True)
-    warnings = run_doxygen(options, output)
+    warnings = run_doxygen(options.doxygen, source, output)
     copy_mathjax(mathjax, output / "html/mathjax")
-    figures = options.source / "doc/Animated_mesh_features/fig"
+    figures = source / "doc/Animated_mesh_features/fig"
     pages.finish(output / "html", output / "Animated_mesh_features.tag", {path.name for path in figures.glob("*")})
     for warning in warnings:
         print(os.path.relpath(warning) if warning.startswith("/") else warning)

@@ -17,7 +17,7 @@
 namespace CGAL {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesDetection
 
 detects the spatio-temporal feature points of an animated mesh: where, when, how large and how long its surface deforms
 in a distinctive way.

@@ -21,8 +21,10 @@ are filled up with values whose results are not used. A function template that t
 
 A model is copy-constructible. Its functions are called from several threads at the same time.
 
-\cgalHasModel `CGAL::Animated_mesh_features::Mean_curvature_density`
-\cgalHasModel `CGAL::Animated_mesh_features::Mean_dihedral_angle`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Animated_mesh_features::Mean_curvature_density}
+\cgalHasModels{CGAL::Animated_mesh_features::Mean_dihedral_angle}
+\cgalHasModelsEnd
 */
 class CurvatureMeasure
 {

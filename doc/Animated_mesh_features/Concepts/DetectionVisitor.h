@@ -16,7 +16,9 @@ user interface without locking.
 `CGAL::Animated_mesh_features::Feature_detector` takes its visitor by reference, and asks for nothing else;
 `CGAL::detect_spatio_temporal_features()` takes it by value, for which it has to be move-constructible.
 
-\cgalHasModel `CGAL::Animated_mesh_features::Default_visitor`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Animated_mesh_features::Default_visitor}
+\cgalHasModelsEnd
 */
 class DetectionVisitor
 {

@@ -20,7 +20,9 @@ d, is none, whatever a model says: a hundredth of what single precision rounds.
 
 A model is copy-constructible. Its functions are called from several threads at the same time, with `double` as `FT`.
 
-\cgalHasModel `CGAL::Animated_mesh_features::Difference_of_gaussians_minima`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Animated_mesh_features::Difference_of_gaussians_minima}
+\cgalHasModelsEnd
 */
 class ExtremumSearch
 {

@@ -12,10 +12,12 @@ The concept `GeodesicBalls` describes how the neighbourhood of each vertex is fo
 
 A model is copy-constructible.
 
-\cgalHasModel `CGAL::Animated_mesh_features::Heat_method_geodesic_balls`
-\cgalHasModel `CGAL::Animated_mesh_features::CGAL_heat_method_geodesic_balls`
-\cgalHasModel `CGAL::Animated_mesh_features::Global_heat_method_geodesic_balls`
-\cgalHasModel `CGAL::Animated_mesh_features::Dijkstra_geodesic_balls`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Animated_mesh_features::Heat_method_geodesic_balls}
+\cgalHasModels{CGAL::Animated_mesh_features::CGAL_heat_method_geodesic_balls}
+\cgalHasModels{CGAL::Animated_mesh_features::Global_heat_method_geodesic_balls}
+\cgalHasModels{CGAL::Animated_mesh_features::Dijkstra_geodesic_balls}
+\cgalHasModelsEnd
 */
 class GeodesicBalls
 {

@@ -15,7 +15,9 @@ is measured.
 A model need not be default-constructible, copyable or assignable. What its functions return is read once, when a
 detector is constructed. The animation has to outlive the detector.
 
-\cgalHasModel `CGAL::Animated_mesh_features::Frame_sequence`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Animated_mesh_features::Frame_sequence}
+\cgalHasModelsEnd
 */
 class MeshAnimation
 {

@@ -13,8 +13,10 @@ in space and in time.
 
 A model is copy-constructible.
 
-\cgalHasModel `CGAL::Animated_mesh_features::Fixed_ratio_sampling`
-\cgalHasModel `CGAL::Animated_mesh_features::Every_smoothing_count`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Animated_mesh_features::Fixed_ratio_sampling}
+\cgalHasModels{CGAL::Animated_mesh_features::Every_smoothing_count}
+\cgalHasModelsEnd
 */
 class ScaleSampling
 {

@@ -14,8 +14,10 @@ whose minima are the features, a weighted sum of a difference in space and one i
 
 A model is copy-constructible.
 
-\cgalHasModel `CGAL::Animated_mesh_features::Central_difference_of_gaussians`
-\cgalHasModel `CGAL::Animated_mesh_features::Forward_difference_of_gaussians`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Animated_mesh_features::Central_difference_of_gaussians}
+\cgalHasModels{CGAL::Animated_mesh_features::Forward_difference_of_gaussians}
+\cgalHasModelsEnd
 */
 class SpaceTimeResponse
 {

@@ -14,8 +14,10 @@ levels that are smoother and smoother.
 A model is copy-constructible. All functions are called from one thread; only the tasks that are given to `loop` run on
 several.
 
-\cgalHasModel `CGAL::Animated_mesh_features::Heat_diffusion_filter`
-\cgalHasModel `CGAL::Animated_mesh_features::One_ring_average_filter`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Animated_mesh_features::Heat_diffusion_filter}
+\cgalHasModels{CGAL::Animated_mesh_features::One_ring_average_filter}
+\cgalHasModelsEnd
 
 \sa `TemporalFilter`
 \sa `ScaleSampling`
@@ -50,6 +52,7 @@ public:
   The result in a frame depends on that frame only. For the result not to depend on threads, each value has to be
   computed by the same operations in the same order, whoever computes it.
 
+  \param k the level.
   \param in, out different fields of `N x F`, rows in the order of `shape`; in double precision, whatever the scalar of
     the animation. What is in `out` before is not to be relied on.
   \param loop see `GeodesicBalls`.

@@ -12,10 +12,12 @@ The concept `StrainMeasure` describes how the deformation of a triangle within i
 
 A model is copy-constructible. Its operator is called from several threads at the same time.
 
-\cgalHasModel `CGAL::Animated_mesh_features::Hencky_strain`
-\cgalHasModel `CGAL::Animated_mesh_features::Green_lagrange_strain`
-\cgalHasModel `CGAL::Animated_mesh_features::Principal_stretch_strain`
-\cgalHasModel `CGAL::Animated_mesh_features::Largest_eigenvalue_strain`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Animated_mesh_features::Hencky_strain}
+\cgalHasModels{CGAL::Animated_mesh_features::Green_lagrange_strain}
+\cgalHasModels{CGAL::Animated_mesh_features::Principal_stretch_strain}
+\cgalHasModels{CGAL::Animated_mesh_features::Largest_eigenvalue_strain}
+\cgalHasModelsEnd
 */
 class StrainMeasure
 {

@@ -17,8 +17,10 @@ matter which of the two comes first.
 
 A model is copy-constructible.
 
-\cgalHasModel `CGAL::Animated_mesh_features::Gaussian_temporal_filter`
-\cgalHasModel `CGAL::Animated_mesh_features::Box_temporal_filter`
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Animated_mesh_features::Gaussian_temporal_filter}
+\cgalHasModels{CGAL::Animated_mesh_features::Box_temporal_filter}
+\cgalHasModelsEnd
 
 \sa `SpatialFilter`
 \sa `ScaleSampling`
@@ -44,6 +46,7 @@ public:
   threads at the same time, for any row and level.
 
   \tparam T `double`; for a model with `vectorized`, also packs of several `float` or `double`.
+  \param l the level.
   \param in, out `number_of_frames` values each; they do not overlap.
   */
   template <class T>

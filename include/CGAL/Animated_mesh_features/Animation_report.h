@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesData
 
 What is unusual about a mesh and nevertheless allowed. Each of it is handled: a degenerate rest triangle has no
 strain and is left out of its vertices' means; components and borders end the smoothing and the geodesic balls; an
@@ -24,14 +24,14 @@ isolated vertex has no deformation and no features.
 */
 struct Animation_report
 {
-  std::size_t degenerate_rest_triangles = 0;
-  std::size_t connected_components = 0; ///< isolated vertices not counted
-  std::size_t border_edges = 0;
-  std::size_t isolated_vertices = 0;
+  std::size_t degenerate_rest_triangles = 0; ///< see `is_degenerate()`
+  std::size_t connected_components = 0;      ///< isolated vertices not counted
+  std::size_t border_edges = 0;              ///< edges with a triangle on one side only
+  std::size_t isolated_vertices = 0;         ///< vertices without edges
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesData
 
 A rest triangle is degenerate if its height over its longest edge is below this fraction of that edge: its inverse,
 and with it every strain, would have lost half of the digits of a `double`.
@@ -39,7 +39,7 @@ and with it every strain, would have lost half of the digits of a `double`.
 constexpr double degenerate_height_ratio = 1e-8;
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesData
 
 whether the `t`-th triangle of the rest shape is degenerate; see `degenerate_height_ratio`.
 */
@@ -54,7 +54,7 @@ inline bool is_degenerate(const Rest_shape& shape, std::size_t t)
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesData
 
 counts what is unusual about a mesh in its rest shape. Linear in the size of the mesh.
 */

@@ -33,6 +33,8 @@ What `Heat_method_geodesic_balls` does with its own matrices, which is eight to 
 clamped to [Euclid, shortest path along edges], only one source is used at a time. With clusters of a single vertex it
 is the plain use of the class on the surroundings of each vertex, another seven times slower. Linear in the number of
 vertices.
+
+\cgalModels{GeodesicBalls}
 */
 struct CGAL_heat_method_geodesic_balls
 {
@@ -46,6 +48,8 @@ struct CGAL_heat_method_geodesic_balls
 
   /*!
   \returns for each vertex the vertices within `radius` of it, itself included, ascending.
+  \param shape the rest shape.
+  \param radius positive; length.
   \param loop runs tasks, see `GeodesicBalls`.
   \throw Numerical_error if the heat method's matrices cannot be factored.
   */

@@ -22,7 +22,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesData
 
 The shape that an animation deforms about: the surface whose edge lengths and dihedral angles are, as closely as a
 surface can have them, the averages over all frames (arithmetic means of lengths, circular means of angles).

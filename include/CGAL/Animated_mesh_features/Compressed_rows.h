@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesData
 
 Rows of indices of varying length, stored one behind the other: the neighbours of each vertex, the vertices in each
 geodesic ball. Memory: `8 (rows + 1) + 4 entries` bytes.
@@ -25,7 +25,10 @@ geodesic ball. Memory: `8 (rows + 1) + 4 entries` bytes.
 class Compressed_rows
 {
 public:
+  /// of vertices, edges or triangles.
   typedef std::uint32_t Index;
+
+  /// the entries of a row, as a range with random access; valid until the rows are changed.
   typedef boost::iterator_range<const Index*> Row;
 
   /// no rows.
@@ -62,15 +65,19 @@ public:
     m_offsets.push_back(m_entries.size());
   }
 
+  /// the number of rows.
   std::size_t size() const { return m_offsets.size() - 1; }
+
+  /// the lengths of all rows together.
   std::size_t number_of_entries() const { return m_entries.size(); }
 
+  /// the `i`-th row, from 0.
   Row operator[](std::size_t i) const
   {
     return Row(m_entries.data() + m_offsets[i], m_entries.data() + m_offsets[i + 1]);
   }
 
-  /// bytes.
+  /// the memory that the rows take, in bytes.
   std::size_t memory() const
   {
     return m_offsets.capacity() * sizeof(std::size_t) + m_entries.capacity() * sizeof(Index);

@@ -25,45 +25,54 @@ enum class Ball_membership
 };
 
 /*!
-\addtogroup PkgAnimatedMeshFeaturesMeasures
+\addtogroup PkgAnimatedMeshFeaturesCurvatureMeasures
 
-\name Curvature measures
 Models of `CurvatureMeasure`: quotients of two sums over the edges and triangles of a geodesic ball,
 \f[ \kappa = c\, \frac{\sum_e w_e\, p(\beta_e, |e|)}{\sum_e w_e\, q(\beta_e, |e|) + \sum_t w_t\, g(A_t)} , \f]
 with the signed dihedral angle \f$\beta\f$ (\f$\pi\f$ minus the interior angle, positive where the surface is convex),
 lengths and areas of the frame, and weights \f$w\f$ by `membership`. `p`, `q` and `g` take Eigen arrays, with one entry
 for each of several frames.
-@{
 */
 
 /*!
+\ingroup PkgAnimatedMeshFeaturesCurvatureMeasures
+
 The density of mean curvature, \f$H = \sum_e w_e \beta_e |e| \,/\, (2 \sum_t w_t A_t)\f$, made dimensionless by a length
 \f$\ell\f$ that is a fraction of the diameter of the rest shape. The default.
 
 Counting half of an edge of which one end is in the ball, and likewise for triangles, makes it converge under
 refinement: on a sphere of curvature 1 it is 1.002, 1.000, 1.000 at edge lengths h, h/2, h/4, without these weights
 0.74, 0.86, 0.93.
+
+\cgalModels{CurvatureMeasure}
 */
 struct Mean_curvature_density
 {
+  /// what lies in the ball in part counts in part.
   static constexpr Ball_membership membership = Ball_membership::FRACTION;
 
   /// \f$\ell\f$ as a fraction of the diameter. 0.6 % puts curvature changes in the range of the strains that go with
   /// them, so that the paper's weight \f$\alpha = 7\f$ keeps its meaning.
   double length_over_diameter = 0.006;
 
+  /// \f$c = \ell\f$ (length).
   double factor(const Rest_shape& shape) const { return length_over_diameter * shape.diameter(); }
 
+  /// \f$p = \beta\,|e|\f$
   template <class T>
   T edge_numerator(const T& angle, const T& length) const
   {
     return angle * length;
   }
+
+  /// \f$q = 0\f$
   template <class T>
   T edge_denominator(const T& angle, const T&) const
   {
     return angle * internal::Constant<T>::of(0);
   }
+
+  /// \f$g = 2A\f$
   template <class T>
   T triangle_denominator(const T& area) const
   {
@@ -72,33 +81,42 @@ struct Mean_curvature_density
 };
 
 /*!
+\ingroup PkgAnimatedMeshFeaturesCurvatureMeasures
+
 The mean of the dihedral angles (radians) of the edges in the ball, as Mykhalchuk, Seo and Cordier (2014) have it.
 It does not depend on the unit, but halves with every refinement of the mesh.
+
+\cgalModels{CurvatureMeasure}
 */
 struct Mean_dihedral_angle
 {
+  /// an edge counts if both of its ends are in the ball.
   static constexpr Ball_membership membership = Ball_membership::WHOLE;
 
+  /// \f$c = 1\f$
   double factor(const Rest_shape&) const { return 1; }
 
+  /// \f$p = \beta\f$
   template <class T>
   T edge_numerator(const T& angle, const T&) const
   {
     return angle;
   }
+
+  /// \f$q = 1\f$
   template <class T>
   T edge_denominator(const T&, const T&) const
   {
     return internal::Constant<T>::of(1);
   }
+
+  /// \f$g = 0\f$
   template <class T>
   T triangle_denominator(const T& area) const
   {
     return area * internal::Constant<T>::of(0);
   }
 };
-
-/// @}
 
 namespace internal {
 

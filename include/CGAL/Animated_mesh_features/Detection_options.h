@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesDetection
 
 Which minima of the response become features.
 */
@@ -49,11 +49,23 @@ struct Feature_selection
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesDetection
 
 Everything that a detection can be told: a policy for each step, and numbers. The function `calibrated_options()`
 returns the defaults, `published_options()` the paper's choices; `with_...()` returns the same options with one policy
 replaced by another, which may be of the user's own class.
+
+The defaults of the numbers are those of both presets, but for `triangle_weights`, which is `Triangle_weights::UNIFORM` in
+`published_options()`, and `Feature_selection::suppress_non_maxima`, which is `false` there.
+
+\tparam StrainMeasure_ a model of `StrainMeasure`.
+\tparam CurvatureMeasure_ a model of `CurvatureMeasure`.
+\tparam GeodesicBalls_ a model of `GeodesicBalls`.
+\tparam SpatialFilter_ a model of `SpatialFilter`.
+\tparam TemporalFilter_ a model of `TemporalFilter`.
+\tparam ScaleSampling_ a model of `ScaleSampling`.
+\tparam SpaceTimeResponse_ a model of `SpaceTimeResponse`.
+\tparam ExtremumSearch_ a model of `ExtremumSearch`.
 */
 template <class StrainMeasure_,
           class CurvatureMeasure_,
@@ -65,23 +77,26 @@ template <class StrainMeasure_,
           class ExtremumSearch_>
 struct Detection_options
 {
-  typedef StrainMeasure_ StrainMeasure;
-  typedef CurvatureMeasure_ CurvatureMeasure;
-  typedef GeodesicBalls_ GeodesicBalls;
-  typedef SpatialFilter_ SpatialFilter;
-  typedef TemporalFilter_ TemporalFilter;
-  typedef ScaleSampling_ ScaleSampling;
-  typedef SpaceTimeResponse_ SpaceTimeResponse;
-  typedef ExtremumSearch_ ExtremumSearch;
+  /// \name Policies
+  /// @{
+  typedef StrainMeasure_ StrainMeasure;         ///< a model of the concept of this name
+  typedef CurvatureMeasure_ CurvatureMeasure;   ///< a model of the concept of this name
+  typedef GeodesicBalls_ GeodesicBalls;         ///< a model of the concept of this name
+  typedef SpatialFilter_ SpatialFilter;         ///< a model of the concept of this name
+  typedef TemporalFilter_ TemporalFilter;       ///< a model of the concept of this name
+  typedef ScaleSampling_ ScaleSampling;         ///< a model of the concept of this name
+  typedef SpaceTimeResponse_ SpaceTimeResponse; ///< a model of the concept of this name
+  typedef ExtremumSearch_ ExtremumSearch;       ///< a model of the concept of this name
 
-  StrainMeasure strain = StrainMeasure();
-  CurvatureMeasure curvature = CurvatureMeasure();
-  GeodesicBalls balls = GeodesicBalls();
-  SpatialFilter spatial_filter = SpatialFilter();
-  TemporalFilter temporal_filter = TemporalFilter();
-  ScaleSampling sampling = ScaleSampling();
-  SpaceTimeResponse response = SpaceTimeResponse();
-  ExtremumSearch search = ExtremumSearch();
+  StrainMeasure strain = StrainMeasure();            ///< the measure of the strain of a triangle
+  CurvatureMeasure curvature = CurvatureMeasure();   ///< the measure of the curvature around a vertex
+  GeodesicBalls balls = GeodesicBalls();             ///< the neighbourhoods in which curvature is measured
+  SpatialFilter spatial_filter = SpatialFilter();    ///< the smoothing over the surface
+  TemporalFilter temporal_filter = TemporalFilter(); ///< the smoothing over time
+  ScaleSampling sampling = ScaleSampling();          ///< how much is smoothed: the levels of the scale space
+  SpaceTimeResponse response = SpaceTimeResponse();  ///< what is made of the levels, and searched for minima
+  ExtremumSearch search = ExtremumSearch();          ///< which samples of the response are minima
+  /// @}
 
   /// how the strains of triangles are averaged at a vertex.
   Triangle_weights triangle_weights = Triangle_weights::REST_AREA;
@@ -92,46 +107,64 @@ struct Detection_options
   /// \f$\alpha\f$, the weight of the change of curvature against strain.
   double alpha = default_curvature_weight;
 
+  /// thresholds and suppression.
   Feature_selection selection;
 
   /// \name Replacing a policy
   /// Each returns options of another type, with everything else unchanged.
   /// @{
+  /// \tparam T a model of `StrainMeasure`.
+
+  /// \tparam T a model of `StrainMeasure`.
   template <class T>
   auto with_strain(const T& p) const
   {
     return copy(p, curvature, balls, spatial_filter, temporal_filter, sampling, response, search);
   }
+
+  /// \tparam T a model of `CurvatureMeasure`.
   template <class T>
   auto with_curvature(const T& p) const
   {
     return copy(strain, p, balls, spatial_filter, temporal_filter, sampling, response, search);
   }
+
+  /// \tparam T a model of `GeodesicBalls`.
   template <class T>
   auto with_balls(const T& p) const
   {
     return copy(strain, curvature, p, spatial_filter, temporal_filter, sampling, response, search);
   }
+
+  /// \tparam T a model of `SpatialFilter`.
   template <class T>
   auto with_spatial_filter(const T& p) const
   {
     return copy(strain, curvature, balls, p, temporal_filter, sampling, response, search);
   }
+
+  /// \tparam T a model of `TemporalFilter`.
   template <class T>
   auto with_temporal_filter(const T& p) const
   {
     return copy(strain, curvature, balls, spatial_filter, p, sampling, response, search);
   }
+
+  /// \tparam T a model of `ScaleSampling`.
   template <class T>
   auto with_sampling(const T& p) const
   {
     return copy(strain, curvature, balls, spatial_filter, temporal_filter, p, response, search);
   }
+
+  /// \tparam T a model of `SpaceTimeResponse`.
   template <class T>
   auto with_response(const T& p) const
   {
     return copy(strain, curvature, balls, spatial_filter, temporal_filter, sampling, p, search);
   }
+
+  /// \tparam T a model of `ExtremumSearch`.
   template <class T>
   auto with_search(const T& p) const
   {
@@ -149,7 +182,7 @@ private:
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesDetection
 
 The options of the preset `calibrated`, the default.
 */
@@ -164,7 +197,7 @@ typedef Detection_options<Hencky_strain,
     Calibrated_options;
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesDetection
 
 The options of the preset `published`.
 */
@@ -179,7 +212,7 @@ typedef Detection_options<Largest_eigenvalue_strain,
     Published_options;
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesDetection
 
 The default: measures that see compression and converge under refinement, filters of known variance, scales in units
 that do not depend on the sampling, thresholds and suppression.
@@ -187,7 +220,7 @@ that do not depend on the sampling, thresholds and suppression.
 inline Calibrated_options calibrated_options() { return Calibrated_options(); }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesDetection
 
 The method in the words of Mykhalchuk, Seo and Cordier (2014), for comparison: largest eigenvalue of the Cauchy-Green
 tensor, plain mean over triangles, mean of dihedral angles, every smoothing count of one-ring averages and box averages,
@@ -209,7 +242,7 @@ inline Published_options published_options(std::size_t box_width)
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesDetection
 
 a sixth of the number of frames, at least 2: the paper's 8 for the horse's 48 frames.
 */

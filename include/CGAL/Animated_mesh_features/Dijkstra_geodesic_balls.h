@@ -27,11 +27,15 @@ Geodesic balls by shortest paths along edges; a model of `GeodesicBalls`.
 
 The quickest and most robust of the three, and the least accurate: paths along edges are too long by some 11 % on
 irregular meshes, so that the balls are too small. `O(N k log k)` for `k` vertices in a ball.
+
+\cgalModels{GeodesicBalls}
 */
 struct Dijkstra_geodesic_balls
 {
   /*!
   \returns for each vertex the vertices within `radius` of it, itself included, ascending.
+  \param shape the rest shape.
+  \param radius positive; length.
   \param loop runs tasks, see `GeodesicBalls`.
   */
   template <class Loop>

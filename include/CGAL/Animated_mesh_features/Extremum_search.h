@@ -47,6 +47,8 @@ Strict local minima of a negative response; a model of `ExtremumSearch`.
 A sample is a minimum if it is below zero, below the samples of its vertex in the frame before and the frame behind it,
 below the same sample at the 8 neighbouring scales, and below every sample of the one-ring in those three frames at its
 own scale. Equal samples are no minima, so that a flat region has none.
+
+\cgalModels{ExtremumSearch}
 */
 struct Difference_of_gaussians_minima
 {

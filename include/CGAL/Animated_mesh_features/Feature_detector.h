@@ -36,7 +36,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesDetection
 
 The detector for repeated use. What was asked for is kept, with what it needed: the geodesic balls, the fields, all minima
 of the response with their refined places. (Strain and change of curvature only if they were asked for themselves.)
@@ -52,17 +52,21 @@ class Feature_detector
   typedef internal::Animation_access<Animation> Access;
 
 public:
-  typedef typename Animation::FT FT;
-  typedef Spatio_temporal_field<FT> Field;
-  typedef typename Access::Sequence::vertex_descriptor vertex_descriptor;
-  typedef Spatio_temporal_feature<vertex_descriptor> Feature;
+  typedef typename Animation::FT FT;                                      ///< of coordinates and fields
+  typedef Spatio_temporal_field<FT> Field;                                ///< of strains, deformations, ...
+  typedef typename Access::Sequence::vertex_descriptor vertex_descriptor; ///< of the animation's mesh
+  typedef Spatio_temporal_feature<vertex_descriptor> Feature;             ///< what is found
 
+  /// a `Frame_sequence` is used as it is; the positions of another model are read once, into a `Frame_sequence`, which takes
+  /// `O(N F)` time and memory.
+  /// \throw Input_error see `Frame_sequence`.
   explicit Feature_detector(const Animation& animation, Options options = Options())
     : m_access(animation)
     , m_options(std::move(options))
   {
   }
 
+  /// what the detector was told, with the selection as it is now.
   const Options& options() const { return m_options; }
 
   /// which minima become features may be changed at any time.
@@ -120,12 +124,13 @@ public:
     return *m_deformation;
   }
 
-  const Field& strain() { return strain(m_default_visitor); }
-  const Field& curvature_change() { return curvature_change(m_default_visitor); }
-  const Field& deformation() { return deformation(m_default_visitor); }
+  const Field& strain() { return strain(m_default_visitor); }                     ///< the same without a visitor
+  const Field& curvature_change() { return curvature_change(m_default_visitor); } ///< the same without a visitor
+  const Field& deformation() { return deformation(m_default_visitor); }           ///< the same without a visitor
 
   /// takes a field of the user's own, `N x F`, in place of the deformation: temperature, muscle activity, error of a
   /// simulation.
+  /// \param field `N x F`, rows in the order of `vertices(mesh)`.
   /// \param noise responses that are at most that strong count as errors of the field.
   /// \throw Option_error if its shape is another or the noise is negative; Input_error if a value is not finite.
   void set_deformation(Field field, double noise = 0)
@@ -177,6 +182,7 @@ public:
     return std::copy(selected.begin(), selected.end(), out);
   }
 
+  /// the same without a visitor.
   template <class OutputIterator>
   OutputIterator operator()(OutputIterator out)
   {
@@ -189,8 +195,8 @@ public:
 
   /// \name Levels of the last detection
   /// @{
-  const std::vector<double>& sigma_levels() const { return m_sigma; } ///< length
-  const std::vector<double>& tau_levels() const { return m_tau; }     ///< seconds
+  const std::vector<double>& sigma_levels() const { return m_sigma; } ///< the \f$\sigma\f$ of all space levels (length)
+  const std::vector<double>& tau_levels() const { return m_tau; }     ///< the \f$\tau\f$ of all time levels (seconds)
   /// @}
 
 private:

@@ -24,7 +24,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesMemory
 
 Where the values of fields live. Fields are nearly all of the memory of a detection, and all of what grows with vertices
 times frames; they take theirs from the memory that is current when they are made: the heap, unless a
@@ -40,6 +40,8 @@ public:
   /// returns `bytes` zero bytes, aligned to 64. Called from any thread.
   /// \throw std::bad_alloc, or an `Error` that says more.
   virtual void* allocate(std::size_t bytes) = 0;
+
+  /// takes back what `allocate()` returned for as many bytes. Called from any thread.
   virtual void deallocate(void* values, std::size_t bytes) noexcept = 0;
 
   /// the memory that fields are taken from.
@@ -63,6 +65,7 @@ private:
   static std::shared_ptr<Field_memory>& instance();
 };
 
+/// \cond SKIP_IN_MANUAL
 class Field_memory::Heap : public Field_memory
 {
 public:
@@ -91,6 +94,7 @@ public:
 private:
   static constexpr std::size_t alignment = 64; // calloc() aligns to 16: there is always room for a pointer in front
 };
+/// \endcond
 
 inline std::shared_ptr<Field_memory>& Field_memory::instance()
 {
@@ -99,7 +103,7 @@ inline std::shared_ptr<Field_memory>& Field_memory::instance()
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesMemory
 
 Makes a `Field_memory` the current one as long as the scope lives. It concerns all threads. Fields stay where they were
 made, and keep their memory alive.
@@ -107,6 +111,7 @@ made, and keep their memory alive.
 class Field_memory_scope
 {
 public:
+  /// from now on fields take their values from `memory`.
   explicit Field_memory_scope(std::shared_ptr<Field_memory> memory) : m_before(std::move(memory)) { exchange(); }
   ~Field_memory_scope() { exchange(); }
   Field_memory_scope(const Field_memory_scope&) = delete;

@@ -36,7 +36,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesData
 
 What `Frame_sequence::set_rest_shape()` does with a rest mesh whose edges are much longer or shorter than those of the
 frames, as happens when the two come in different units.
@@ -49,7 +49,7 @@ enum class Rest_unit
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesData
 
 An animation held in memory: one connectivity, `F` frames, and a rest shape. Model of `MeshAnimation`.
 
@@ -63,6 +63,8 @@ Vertices are numbered by their rank in `vertices(mesh)`, also if the mesh's own 
   whose faces are triangles.
 \tparam FT_ `float` or `double`, the scalar of coordinates and of everything computed from them. `float` halves the
   memory; its rounding is about 10^-7 of the coordinates.
+
+\cgalModels{MeshAnimation}
 */
 template <class TriangleMesh, class FT_ = double>
 class Frame_sequence
@@ -70,9 +72,13 @@ class Frame_sequence
   typedef typename CGAL::dynamic_vertex_property_t<std::size_t> Index_tag;
 
 public:
-  typedef TriangleMesh Triangle_mesh;
-  typedef FT_ FT;
+  typedef TriangleMesh Triangle_mesh; ///< the mesh
+  typedef FT_ FT;                     ///< `float` or `double`
+
+  /// what the keys of property maps are.
   typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+
+  /// a position, whatever the kernel of the points that were given.
   typedef typename CGAL::Simple_cartesian<FT>::Point_3 Point_3;
 
   /// readable: vertex descriptor to rank in `vertices(mesh)`.
@@ -82,11 +88,12 @@ public:
   class Point_map
   {
   public:
-    typedef vertex_descriptor key_type;
-    typedef Point_3 value_type;
-    typedef Point_3 reference;
-    typedef boost::readable_property_map_tag category;
+    typedef vertex_descriptor key_type;                ///< a vertex of the mesh
+    typedef Point_3 value_type;                        ///< its position
+    typedef Point_3 reference;                         ///< the same, by value
+    typedef boost::readable_property_map_tag category; ///< `get()` only
 
+    /// the position of `v`.
     friend reference get(const Point_map& map, const key_type& v)
     {
       const std::size_t i = get(map.m_index, v);
@@ -222,20 +229,33 @@ public:
 
   /// \name MeshAnimation
   /// @{
+
+  /// the connectivity.
   const TriangleMesh& triangle_mesh() const { return *m_mesh; }
+
+  /// `F`, at least 3.
   std::size_t number_of_frames() const { return m_animation.number_of_frames(); }
 
-  /// seconds.
+  /// the time between two frames, in seconds.
   double frame_duration() const { return m_animation.frame_duration; }
+
+  /// the positions in a frame, from 0.
   Point_map point_map(std::size_t frame) const { return Point_map(&m_animation, m_index, frame); }
+
+  /// the positions in the rest shape.
   Point_map rest_point_map() const { return Point_map(&m_animation, m_index, Point_map::rest); }
   /// @}
 
+  /// `N`, the number of elements of `vertices(mesh)`.
   std::size_t number_of_vertices() const { return m_vertices.size(); }
 
   /// the vertices in the order of `vertices(mesh)`.
   const std::vector<vertex_descriptor>& vertex_descriptors() const { return m_vertices; }
+
+  /// the row of each vertex in fields of this animation: its rank in `vertices(mesh)`.
   Vertex_index_map vertex_index_map() const { return m_index; }
+
+  /// the rest shape as the policies see it.
   const Rest_shape& rest_shape() const { return m_animation.rest; }
 
   /// what is unusual about the mesh and nevertheless allowed.

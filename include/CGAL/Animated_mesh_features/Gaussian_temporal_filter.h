@@ -31,6 +31,8 @@ Smoothing in time by the discrete Gaussian with reflecting ends; a model of `Tem
 The semigroup of the discrete heat equation: in the basis of the DCT-II, which continues a row by its mirror image, the
 factors are \f$e^{u(\cos(\pi j/F) - 1)}\f$ for the variance u in squared frames (Lindeberg 1990). Variances add exactly,
 the mean is kept exactly, and no new extrema appear, whatever the step. A level costs F times the width of its kernel.
+
+\cgalModels{TemporalFilter}
 */
 class Gaussian_temporal_filter
 {
@@ -45,6 +47,8 @@ public:
   }
 
   /// prepares the levels.
+  /// \param number_of_frames of each row.
+  /// \param frame_duration seconds.
   /// \param variances ascending; squared seconds.
   void initialize(std::size_t number_of_frames, double frame_duration, const std::vector<double>& variances)
   {

@@ -28,11 +28,15 @@ Geodesic balls by \cgal's class for the heat method on the whole mesh; a model o
 
 The matrices are factored once and solved for each vertex, so that the time grows with the square of the number of
 vertices: 2.3 ms a vertex at 8,000 vertices, 63 ms at 100,000.
+
+\cgalModels{GeodesicBalls}
 */
 struct Global_heat_method_geodesic_balls
 {
   /*!
   \returns for each vertex the vertices within `radius` of it, itself included, ascending.
+  \param shape the rest shape.
+  \param radius positive; length.
   \param loop runs tasks, see `GeodesicBalls`.
   \throw Numerical_error if the heat method's matrices cannot be factored.
   */

@@ -44,6 +44,8 @@ constant field stays as it is, bit for bit. The result does not depend on the pr
 
 Complexity of a level: a factorisation, with some `50 N` entries at N = 100,000, and `F` solves with it; see there. Memory:
 `O(N)` for a thread, and the factors of as many levels at a time as fit into the memory of the field, but two at least.
+
+\cgalModels{SpatialFilter}
 */
 class Heat_diffusion_filter
 {
@@ -54,7 +56,8 @@ public:
   /// the smallest variance that a level can have: \f$(0.35\,h)^2\f$, below which a Gaussian falls between the vertices.
   double smallest_variance(const Rest_shape& shape) const { return squared(0.35 * shape.mean_edge_length()); }
 
-  /// prepares the levels.
+  /// prepares the levels; factors are computed when a level is asked for.
+  /// \param shape the rest shape.
   /// \param variances ascending; squared length per axis.
   template <class Loop>
   void initialize(const Rest_shape& shape, const std::vector<double>& variances, const Loop&)

@@ -44,6 +44,8 @@ rim in the mean; against \cgal's heat method on the whole mesh, 97 to 99 %. (Sho
 The clusters do not depend on the numbering of the vertices, except for ties. On a shape with symmetries, which has
 them, renumbering changes distances at the rim of a ball by some 10^-3 of the radius, and strengths of features in the
 third digit.
+
+\cgalModels{GeodesicBalls}
 */
 struct Heat_method_geodesic_balls
 {
@@ -59,6 +61,8 @@ struct Heat_method_geodesic_balls
 
   /*!
   \returns for each vertex the vertices within `radius` of it, itself included, ascending.
+  \param shape the rest shape.
+  \param radius positive; length.
   \param loop runs tasks, see `GeodesicBalls`.
   */
   template <class Loop>

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesMemory
 
 What a detection with the package's own policies needs, in bytes, before anything is computed or read. An estimate from
 above for default ball radii on meshes of moderate valence.
@@ -35,11 +35,17 @@ struct Memory_estimate
   /// one space level.
   std::size_t level;
 
-  /// the number of space levels that are in memory at least and at most; see
-  /// `Feature_detector::set_level_memory()`.
-  static constexpr std::size_t least_levels = 5, most_levels = 18;
+  /// \name Space levels that are in memory at a time
+  /// See `Feature_detector::set_level_memory()`.
+  /// @{
+  static constexpr std::size_t least_levels = 5; ///< at least
+  static constexpr std::size_t most_levels = 18; ///< at most
+  /// @}
 
+  /// the bytes without which a detection cannot be.
   std::size_t least() const { return fixed + fields + least_levels * level; }
+
+  /// the bytes beyond which more memory does not help.
   std::size_t most() const { return fixed + fields + most_levels * level; }
 
   /// what is left of `memory` for levels.
@@ -51,10 +57,13 @@ struct Memory_estimate
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesMemory
 
+estimates the memory of a detection, in constant time.
+
+\param number_of_vertices `N`.
+\param number_of_frames `F`.
 \param scalar_size `sizeof` of the animation's scalar.
-\relates Memory_estimate
 */
 inline Memory_estimate
 estimated_memory(std::size_t number_of_vertices, std::size_t number_of_frames, std::size_t scalar_size)
@@ -76,7 +85,7 @@ estimated_memory(std::size_t number_of_vertices, std::size_t number_of_frames, s
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesMemory
 
 the memory that this process can take without the system having to swap, in bytes; within the limits of a container, if
 it runs in one. The largest number where the system does not tell.

@@ -33,6 +33,8 @@ closed ring: \f$3h^2/7\f$ on a regular triangulation of edge length h. Where the
 
 A pass costs one addition for each pair of neighbours and frame. A level of standard deviation \f$\sigma\f$ takes some
 \f$2.3\,(\sigma/h)^2\f$ passes. Memory: another field, if there is more than one pass between two levels.
+
+\cgalModels{SpatialFilter}
 */
 class One_ring_average_filter
 {
@@ -55,6 +57,7 @@ public:
   /*!
   prepares the levels: the numbers of averages whose variances come nearest, strictly increasing as long as the
   variances are.
+  \param shape the rest shape; is kept by reference.
   \param variances ascending; squared length per axis.
   */
   template <class Loop>

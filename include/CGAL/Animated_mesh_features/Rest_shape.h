@@ -54,7 +54,7 @@ std::size_t number_of_sides(const Halfedge& h, const TriangleMesh& mesh)
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesData
 
 The undeformed surface in the form in which the policies (geodesic balls, spatial filters) see it: triangles, edges
 and neighbours by index, points in double precision. Vertex `i` is the `i`-th element of `vertices(mesh)`, triangle
@@ -66,9 +66,9 @@ the shape was built, sums run in the same order and give the same bits.
 class Rest_shape
 {
 public:
-  typedef Compressed_rows::Index Index;
-  typedef std::array<Index, 3> Triangle;
-  typedef Eigen::Vector3d Point;
+  typedef Compressed_rows::Index Index;  ///< of a vertex, edge or triangle, from 0
+  typedef std::array<Index, 3> Triangle; ///< its vertices, counterclockwise, the smallest first
+  typedef Eigen::Vector3d Point;         ///< a position
 
   /// stands for the missing triangle at a border edge.
   static constexpr Index none = (std::numeric_limits<Index>::max)();
@@ -77,14 +77,23 @@ public:
   /// `right` that of the other triangle.
   struct Edge
   {
-    Index source, target, left, right;
+    Index source; ///< the smaller end
+    Index target; ///< the greater end
+    Index left;   ///< the third vertex on one side, or `none`
+    Index right;  ///< the third vertex on the other side, or `none`
+
+    /// whether a triangle is missing on a side.
     bool is_border() const { return left == none || right == none; }
   };
 
+  /// no vertices.
   Rest_shape() = default;
 
   /// takes over the connectivity of `mesh`; all points are at the origin until `set_points()` is called.
   /// \tparam VertexIndexMap readable, vertex descriptor to rank in `vertices(mesh)`.
+  /// \param mesh the connectivity; is not kept.
+  /// \param index the rank of each vertex.
+  /// \param number_of_vertices the number of elements of `vertices(mesh)`.
   /// \throw Input_error if a face is no triangle, or if there are no faces, or more than 2^32 - 2 vertices.
   template <class TriangleMesh, class VertexIndexMap>
   Rest_shape(const TriangleMesh& mesh, VertexIndexMap index, std::size_t number_of_vertices)
@@ -98,12 +107,18 @@ public:
 
   /// \name Connectivity
   /// @{
+
+  /// `N`.
   std::size_t number_of_vertices() const { return m_points.size(); }
+
+  /// the triangles, in the order of `faces(mesh)`.
   const std::vector<Triangle>& triangles() const { return m_triangles; }
 
   /// the indices of all triangles in an order that depends on the indices of their vertices only. A sum over triangles
   /// that runs in this order gives the same bits, whatever the order of `faces(mesh)`.
   const std::vector<Index>& ordered_triangles() const { return m_ordered_triangles; }
+
+  /// the edges that a triangle uses, by source, then by target.
   const std::vector<Edge>& edges() const { return m_edges; }
 
   /// the vertices that share an edge with each vertex, ascending.
@@ -115,20 +130,26 @@ public:
   /// the edges at each vertex, in the order of `neighbours()`.
   const Compressed_rows& incident_edges() const { return m_incident_edges; }
 
+  /// whether vertex `v` is an end of a border edge.
   bool is_border(std::size_t v) const { return m_is_border[v] != 0; }
   /// @}
 
   /// \name Geometry
   /// @{
+
+  /// the position of each vertex.
   const std::vector<Point>& points() const { return m_points; }
 
-  /// the area of each triangle.
+  /// the area of each triangle (squared length).
   const std::vector<double>& areas() const { return m_areas; }
 
   /// the length of each edge.
   const std::vector<double>& lengths() const { return m_lengths; }
 
+  /// the mean of `lengths()`.
   double mean_edge_length() const { return m_mean_edge_length; }
+
+  /// the diagonal of the axis-parallel bounding box of all vertices (length).
   double bounding_box_diagonal() const { return m_diagonal; }
 
   /// the diameter of the smallest enclosing sphere: the size of the shape that default lengths are fractions of. Other
@@ -136,6 +157,7 @@ public:
   /// not change when the shape is turned.
   double diameter() const { return m_diameter; }
 
+  /// moves the vertices, `N` points, and measures the shape anew. Linear time.
   void set_points(std::vector<Point> points)
   {
     m_points = std::move(points);

@@ -27,8 +27,8 @@ A range of scales; a bound of 0 stands for the default of the class that uses it
 */
 struct Scale_range
 {
-  double min = 0;
-  double max = 0;
+  double min = 0; ///< the smallest scale at which features are found
+  double max = 0; ///< the largest
 };
 
 /*!
@@ -41,6 +41,8 @@ Between `min` and `max` of a range lie \f$\mathrm{round}(\log_\rho(\max/\min)) +
 which features are found; the response is computed at one level more on either side, and needs yet another one for its
 differences. The response measures \f$\sigma\f$ and
 \f$\tau\f$ in units of the geometric means of the ranges.
+
+\cgalModels{ScaleSampling}
 */
 struct Fixed_ratio_sampling
 {
@@ -134,6 +136,8 @@ A scale is named by Eq. (7), \f$\sigma = \sqrt{k (h^2 - 1)/12}\f$, in which h co
 length of an edge in the unit of the mesh. That is imaginary for h < 1. This class therefore measures lengths in a unit
 of which the mean edge has `edge_length_in_units`; the \f$\sigma\f$ that results is 0.42 of the standard deviation that
 the averages really have on a regular mesh. Times are measured in frames.
+
+\cgalModels{ScaleSampling}
 */
 struct Every_smoothing_count
 {
@@ -146,10 +150,10 @@ struct Every_smoothing_count
   /// w (frames); 0: by the variance that a pass of the temporal filter adds, taken as that of a box, \f$(w^2-1)/12\f$.
   std::size_t box_width = 0;
 
-  /// the largest counts; 0: by the formulas above.
-  std::size_t max_space_count = 0;
-  std::size_t max_time_count = 0;
+  std::size_t max_space_count = 0; ///< K; 0: by the formula above
+  std::size_t max_time_count = 0;  ///< L; 0: by the formula above
 
+  /// the number of averages whose blob has a radius of that many widths: \f$\lfloor 6 x^2 \rfloor\f$.
   static std::size_t largest_count(double radius_over_width)
   {
     // the largest blob's radius is sqrt(2) sigma, and n boxes of width w have sigma^2 = n w^2 / 12 (without Eq. (7)'s

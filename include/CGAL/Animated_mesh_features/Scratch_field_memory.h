@@ -34,7 +34,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesMemory
 
 Fields in files of a scratch directory: a `Field_memory` for animations that are larger than the memory. Results are the
 same, bit for bit.
@@ -85,6 +85,7 @@ public:
   Scratch_field_memory(const Scratch_field_memory&) = delete;
   Scratch_field_memory& operator=(const Scratch_field_memory&) = delete;
 
+  /// makes a file of that many zero bytes, and maps it.
   /// \throw Output_error if there is no room.
   void* allocate(std::size_t bytes) override
   {
@@ -107,6 +108,7 @@ public:
 #endif
   }
 
+  /// lets go of the file.
   void deallocate(void* values, std::size_t bytes) noexcept override
   {
 #ifdef __linux__

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesDetection
 
 A spatio-temporal feature point: where, when, how large, how long and how strongly a surface deforms in a
 distinctive way.
@@ -44,8 +44,8 @@ struct Spatio_temporal_feature
   /// vertices in `vertices(mesh)` and the barycentric coordinates (non-negative, sum 1). For a vertex without
   /// faces all three ranks are its own.
   /// @{
-  std::array<std::size_t, 3> triangle = {{0, 0, 0}};
-  std::array<double, 3> barycentric_coordinates = {{1, 0, 0}};
+  std::array<std::size_t, 3> triangle = {{0, 0, 0}};           ///< ranks of vertices
+  std::array<double, 3> barycentric_coordinates = {{1, 0, 0}}; ///< without unit
   /// @}
 
   /// the place on the animated surface at `time`, linear between frames.

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesData
 
 An `N x F` array of scalars: a value for each of `N` simplices (vertices, sometimes faces) and each of `F` frames.
 
@@ -28,7 +28,7 @@ geodesic balls) is a combination of rows and runs over the frames in vector regi
 Row `i` belongs to the `i`-th element of `vertices(mesh)` (or of `faces(mesh)`). The values live in the `Field_memory` that
 is current when the field is made.
 
-\tparam FT `float` or `double`.
+\tparam FT_ `float` or `double`.
 */
 template <class FT_>
 class Spatio_temporal_field
@@ -49,17 +49,21 @@ public:
   {
   }
 
-  std::size_t number_of_rows() const { return m_rows; }
-  std::size_t number_of_frames() const { return m_frames; }
+  std::size_t number_of_rows() const { return m_rows; }     ///< `N`
+  std::size_t number_of_frames() const { return m_frames; } ///< `F`
 
   /// the distance between the starts of two rows, in scalars; at least `number_of_frames()`, a multiple of 64 bytes.
   std::size_t stride() const { return m_stride; }
 
+  /// the value of a simplex in a frame, both from 0.
   FT& operator()(std::size_t row, std::size_t frame) { return m_values[row * m_stride + frame]; }
+  /// the value of a simplex in a frame, both from 0.
   const FT& operator()(std::size_t row, std::size_t frame) const { return m_values[row * m_stride + frame]; }
 
   /// the first of the `number_of_frames()` values of a row.
   FT* row(std::size_t i) { return m_values.data() + i * m_stride; }
+
+  /// the first of the `number_of_frames()` values of a row.
   const FT* row(std::size_t i) const { return m_values.data() + i * m_stride; }
 
   /// the memory that the values take, in bytes.
@@ -71,6 +75,7 @@ public:
     return number_of_rows * padded(number_of_frames) * sizeof(FT);
   }
 
+  /// exchanges the values of two fields, of whatever shapes, in constant time.
   void swap(Spatio_temporal_field& other)
   {
     std::swap(m_rows, other.m_rows);

@@ -57,23 +57,27 @@ struct Takes_lanes : std::false_type
 } // namespace internal
 
 /*!
-\addtogroup PkgAnimatedMeshFeaturesMeasures
+\addtogroup PkgAnimatedMeshFeaturesStrainMeasures
 
-\name Strain measures
 Models of `StrainMeasure`. Each maps the squared principal stretches \f$\lambda_1 \ge \lambda_2 > 0\f$ of a triangle,
 the eigenvalues of \f$I_0^{-1} I_f\f$ with the first fundamental forms at rest and in the frame, to a scalar without a
 unit. `vectorized` says that they also take Eigen arrays, with one entry for each of several frames.
-@{
 */
 
 /*!
+\ingroup PkgAnimatedMeshFeaturesStrainMeasures
+
 The norm of Hencky's logarithmic strain, \f$\|\ln U\| = \frac12\sqrt{\ln^2\lambda_1 + \ln^2\lambda_2}\f$. The default:
 doubling and halving a length count the same (0.69), and a sliver that is stretched a hundred times weighs 4.6, not
 10,000.
+
+\cgalModels{StrainMeasure}
 */
 struct Hencky_strain
 {
-  static constexpr bool vectorized = true;
+  static constexpr bool vectorized = true; ///< takes Eigen arrays, too
+
+  /// \f$\frac12\sqrt{\ln^2\lambda_1 + \ln^2\lambda_2}\f$
   template <class T>
   T operator()(const T& lambda_1, const T& lambda_2) const
   {
@@ -85,12 +89,18 @@ struct Hencky_strain
 };
 
 /*!
+\ingroup PkgAnimatedMeshFeaturesStrainMeasures
+
 The norm of the Green-Lagrange strain, \f$\frac12\|C - I\| = \frac12\sqrt{(\lambda_1-1)^2 + (\lambda_2-1)^2}\f$;
 standard in mechanics. Stretch by 2 gives 1.5, compression to one half 0.375.
+
+\cgalModels{StrainMeasure}
 */
 struct Green_lagrange_strain
 {
-  static constexpr bool vectorized = true;
+  static constexpr bool vectorized = true; ///< takes Eigen arrays, too
+
+  /// \f$\frac12\sqrt{(\lambda_1-1)^2 + (\lambda_2-1)^2}\f$
   template <class T>
   T operator()(const T& lambda_1, const T& lambda_2) const
   {
@@ -102,11 +112,17 @@ struct Green_lagrange_strain
 };
 
 /*!
+\ingroup PkgAnimatedMeshFeaturesStrainMeasures
+
 The largest change of length, \f$\max_i |\sqrt{\lambda_i} - 1|\f$. Stretch by 2 gives 1, compression to one half 0.5.
+
+\cgalModels{StrainMeasure}
 */
 struct Principal_stretch_strain
 {
-  static constexpr bool vectorized = true;
+  static constexpr bool vectorized = true; ///< takes Eigen arrays, too
+
+  /// \f$\max_i |\sqrt{\lambda_i} - 1|\f$
   template <class T>
   T operator()(const T& lambda_1, const T& lambda_2) const
   {
@@ -119,21 +135,25 @@ struct Principal_stretch_strain
 };
 
 /*!
+\ingroup PkgAnimatedMeshFeaturesStrainMeasures
+
 The largest eigenvalue of the right Cauchy-Green tensor of the prism of unit height over the triangle,
 \f$\max(\lambda_1, 1)\f$, as Mykhalchuk, Seo and Cordier (2014) have it: 1 at rest, 4 at a stretch by 2, blind to
 compression.
+
+\cgalModels{StrainMeasure}
 */
 struct Largest_eigenvalue_strain
 {
-  static constexpr bool vectorized = true;
+  static constexpr bool vectorized = true; ///< takes Eigen arrays, too
+
+  /// \f$\max(\lambda_1, 1)\f$
   template <class T>
   T operator()(const T& lambda_1, const T&) const
   {
     return internal::maximum(lambda_1, internal::Constant<T>::of(1));
   }
 };
-
-/// @}
 
 namespace internal {
 

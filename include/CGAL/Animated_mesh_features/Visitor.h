@@ -11,7 +11,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesDetection
 
 The stages of a detection, in the order in which they run.
 */
@@ -25,7 +25,7 @@ enum class Stage
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesDetection
 
 the name of a stage, for messages.
 */
@@ -42,12 +42,14 @@ inline const char* name(Stage stage)
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesDetection
 
 The visitor that does nothing: a model of `DetectionVisitor`, to derive from or to imitate.
 
 All three functions are called from the thread that called the detector, and from no other, so that they may print,
 draw or look at a user interface without locking.
+
+\cgalModels{DetectionVisitor}
 */
 struct Default_visitor
 {

@@ -25,7 +25,7 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesBalls
 
-the default radius of the geodesic balls (length): 4.5 % of the diameter of the rest shape, but at least 3 mean edge
+the default radius \f$r = \min(\max(0.045\,D, 3h), 8h)\f$ of the geodesic balls (length): 4.5 % of the diameter of the rest shape, but at least 3 mean edge
 lengths, below which balls contain too few edges (at 1 edge length, 8 % of the balls of a scanned horse contain none),
 and at most 8, some 230 vertices a ball: memory and time stay linear in the number of vertices. (Of meshes beyond some
 30,000 vertices the curvature therefore depends on the density; to compare such, give the radius.)
@@ -46,8 +46,11 @@ inline double default_ball_radius(const Rest_shape& shape)
 computes the geodesic ball of each vertex on the rest shape of an animation.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same.
+\tparam Animation a model of `MeshAnimation`.
+\tparam GeodesicBalls a model of `GeodesicBalls`.
+\param animation of which only the rest shape counts.
 \param radius length on the rest shape; 0 stands for `default_ball_radius()`.
-\param policy a model of `GeodesicBalls`.
+\param policy how balls are found.
 \returns a row of vertex ranks for each vertex, ascending, itself included.
 \throw Option_error if the radius is negative or not finite. What the policy throws.
 */
@@ -74,7 +77,9 @@ Linear in the number of entries of `balls` times frames.
 \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same, bit for bit.
 \tparam Animation a model of `MeshAnimation`.
 \tparam CurvatureMeasure a model of `CurvatureMeasure`.
+\param animation the animation.
 \param balls a row for each vertex, ascending; see `geodesic_balls()`.
+\param measure what is summed over a ball.
 \returns a field of `N x F` curvatures, rows in the order of `vertices(mesh)`; 0 where a ball has no edge.
 */
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Animation, class CurvatureMeasure = Mean_curvature_density>
@@ -92,6 +97,14 @@ Spatio_temporal_field<typename Animation::FT> curvature(const Animation& animati
 \ingroup PkgAnimatedMeshFeaturesMeasures
 
 computes \f$|\kappa(v, f) - \kappa(v, \mathrm{rest})|\f$ at every vertex in every frame; see `curvature()`.
+
+\tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same, bit for bit.
+\tparam Animation a model of `MeshAnimation`.
+\tparam CurvatureMeasure a model of `CurvatureMeasure`.
+\param animation the animation.
+\param balls a row for each vertex, ascending; see `geodesic_balls()`.
+\param measure what is summed over a ball.
+\returns a field of `N x F` non-negative changes, without unit.
 */
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Animation, class CurvatureMeasure = Mean_curvature_density>
 Spatio_temporal_field<typename Animation::FT> curvature_change(const Animation& animation,

@@ -78,6 +78,7 @@ The visitor asked to stop. No result is returned; the detector stays usable.
 class Cancelled : public Error
 {
 public:
+  /// with a message of its own.
   Cancelled() : Error("cancelled by the visitor") {}
 };
 

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesData
 
 One frame of a field as a readable property map from the mesh's own descriptors to scalars. Valid as long as the
 field.
@@ -29,11 +29,12 @@ template <class FT, class IndexMap>
 class Frame_property_map
 {
 public:
-  typedef typename boost::property_traits<IndexMap>::key_type key_type;
-  typedef FT value_type;
-  typedef FT reference;
-  typedef boost::readable_property_map_tag category;
+  typedef typename boost::property_traits<IndexMap>::key_type key_type; ///< a descriptor of the mesh
+  typedef FT value_type;                                                ///< the scalar of the field
+  typedef FT reference;                                                 ///< the same, by value
+  typedef boost::readable_property_map_tag category;                    ///< `get()` only
 
+  /// the map of frame `frame`, from 0. The field is kept by reference.
   Frame_property_map(const Spatio_temporal_field<FT>& field, IndexMap index, std::size_t frame)
     : m_field(&field)
     , m_index(index)
@@ -41,6 +42,7 @@ public:
   {
   }
 
+  /// the value of `k` in the frame.
   friend reference get(const Frame_property_map& map, const key_type& k)
   {
     return (*map.m_field)(get(map.m_index, k), map.m_frame);
@@ -53,7 +55,7 @@ private:
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesRef
+\ingroup PkgAnimatedMeshFeaturesData
 
 makes the property map of one frame of a vertex field.
 

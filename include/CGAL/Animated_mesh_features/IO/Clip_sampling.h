@@ -23,7 +23,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesModels
 
 Which clip of an animated model is taken, and at which times.
 
@@ -37,6 +37,7 @@ struct Clip_sampling
 {
   /// a rate below which nothing is recorded: that of film.
   static constexpr double least_frames_per_second = 24;
+
   /// as many as it takes for some temporal scales between a frame and a sixth of the duration.
   static constexpr std::size_t least_frames = 48;
 
@@ -50,7 +51,7 @@ struct Clip_sampling
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesModels
 
 the clips by name, for messages: `0 "Walk", 1 "Run"`.
 */
@@ -63,11 +64,13 @@ inline std::string clip_list(const std::vector<std::string>& names)
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesModels
 
 the index of the clip that `wanted` names, or else counts; the first one if `wanted` is empty.
 
-\param file for messages
+\param names of all clips.
+\param wanted a name or a number.
+\param file for messages.
 \throw Input_error if there are no clips.
 \throw Option_error if there is no such clip, or several of that name; the message lists all names.
 */
@@ -85,7 +88,11 @@ inline std::size_t find_clip(const std::vector<std::string>& names, const std::s
   throw Option_error(file + ": there is no clip \"" + wanted + "\"; clips are " + clip_list(names));
 }
 
-/// the names of a model's clips.
+/*!
+\ingroup PkgAnimatedMeshFeaturesModels
+
+the names of a model's clips, in their order; may be empty or equal.
+*/
 inline std::vector<std::string> clip_names(const Keyframed_model& model)
 {
   std::vector<std::string> names;
@@ -124,7 +131,7 @@ inline double commonest_step(const Keyframed_model::Clip& clip)
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesModels
 
 where in the clip the frames are (s), see `Clip_sampling`. \f$O(K \log K)\f$ for `K` keys.
 

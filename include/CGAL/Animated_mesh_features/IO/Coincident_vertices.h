@@ -20,7 +20,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesModels
 
 Finds the vertices that are at the same place in every frame, bit for bit (but that 0 and -0 are the same).
 
@@ -30,8 +30,10 @@ vertices that are alone are not looked at any more. Expected time linear in the 
 class Coincident_vertices
 {
 public:
+  /// a position for each vertex.
   typedef std::vector<std::array<double, 3>> Points;
 
+  /// before the first frame all vertices are together.
   explicit Coincident_vertices(std::size_t number_of_vertices)
     : m_first_of_class(number_of_vertices, 0)
     , m_candidates(number_of_vertices)
@@ -39,6 +41,7 @@ public:
     std::iota(m_candidates.begin(), m_candidates.end(), std::size_t(0));
   }
 
+  /// takes apart the vertices that are not together in this frame.
   void add_frame(const Points& points)
   {
     std::unordered_map<Place, std::size_t, Hash> first; // of the vertices that are still together

@@ -19,7 +19,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 How much of a scene `write_html()` puts into a page.
 */
@@ -39,7 +39,7 @@ struct Html_options
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 What `write_html()` did.
 */
@@ -50,7 +50,7 @@ struct Html_report
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 every how many frames a page has of an animation of that size; 1: all of them. To be asked before hours of computing.
 

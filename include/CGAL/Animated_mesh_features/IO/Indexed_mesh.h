@@ -16,15 +16,15 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesReading
 
 A triangle mesh as a file holds it: `N` points and `M` triples of their indices, both in the file's order and counted
 from 0. It may be anything; `to_surface_mesh()` tells whether it is a surface.
 */
 struct Indexed_mesh
 {
-  std::vector<std::array<double, 3>> points;
-  std::vector<std::array<std::size_t, 3>> triangles;
+  std::vector<std::array<double, 3>> points;         ///< `N`
+  std::vector<std::array<std::size_t, 3>> triangles; ///< `M`, of indices of points
 };
 
 } // namespace IO

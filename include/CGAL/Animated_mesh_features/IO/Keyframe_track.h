@@ -17,7 +17,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesModels
 
 A value that changes with time, given at keys: a translation, a rotation, a scale, or the weights of morph targets.
 
@@ -26,6 +26,7 @@ last one it is constant. Evaluation takes time logarithmic in the number of keys
 */
 struct Keyframe_track
 {
+  /// What the value is between two keys.
   enum class Interpolation
   {
     STEP,       ///< the value of the last key.
@@ -33,6 +34,7 @@ struct Keyframe_track
     CUBICSPLINE ///< a cubic Hermite spline with given tangents.
   };
 
+  /// the same between all keys.
   Interpolation interpolation = Interpolation::LINEAR;
 
   /// whether values are quaternions (x, y, z, w). Interpolated ones are normalised.

@@ -22,7 +22,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesModels
 
 What files of animated models hold, whatever their format: a tree of nodes with a transformation each, triangle meshes
 that are attached to nodes or to skeletons of nodes and have morph targets, and clips, which change transformations and
@@ -35,31 +35,33 @@ struct Keyframed_model
   /// stands for no index.
   static constexpr std::size_t none = std::size_t(-1);
 
+  /// a position, a displacement or a scale.
   typedef std::array<double, 3> Vector;
 
   /// A node's transformation, relative to its parent, is its `matrix` if it has one and no clip moves it; else a scale,
   /// followed by a rotation (x, y, z, w), followed by a translation.
   struct Node
   {
-    std::string name;
-    std::size_t parent = none;
-    std::optional<Eigen::Affine3d> matrix;
-    Vector translation = {{0, 0, 0}};
-    std::array<double, 4> rotation = {{0, 0, 0, 1}};
-    Vector scale = {{1, 1, 1}};
+    std::string name;                                ///< may be empty
+    std::size_t parent = none;                       ///< a node, or `none` for a root
+    std::optional<Eigen::Affine3d> matrix;           ///< to the parent's coordinates
+    Vector translation = {{0, 0, 0}};                ///< length
+    std::array<double, 4> rotation = {{0, 0, 0, 1}}; ///< a quaternion x, y, z, w of length 1
+    Vector scale = {{1, 1, 1}};                      ///< along the node's axes
   };
 
   /// A vertex moves with the node `joint` of its skin with this weight.
   struct Influence
   {
-    std::size_t joint;
-    double weight;
+    std::size_t joint; ///< rank in `Skin::joints`
+    double weight;     ///< positive
   };
 
+  /// A triangle mesh with its morph targets and its attachment to a skeleton.
   struct Geometry
   {
-    std::vector<Vector> points;
-    std::vector<std::array<std::size_t, 3>> triangles;
+    std::vector<Vector> points;                        ///< in the coordinates of the geometry
+    std::vector<std::array<std::size_t, 3>> triangles; ///< of indices of points
 
     /// for each morph target the displacement of each vertex, or nothing if it moves none.
     std::vector<std::vector<Vector>> targets;
@@ -67,9 +69,10 @@ struct Keyframed_model
     /// those of vertex `v` are from `first_influence[v]` to `first_influence[v + 1]`, ascending by joint, their weights
     /// positive with sum 1; both empty without a skin.
     std::vector<Influence> influences;
-    std::vector<std::size_t> first_influence;
+    std::vector<std::size_t> first_influence; ///< one more than points, or none
   };
 
+  /// A skeleton: the nodes that move a geometry.
   struct Skin
   {
     std::vector<std::size_t> joints;            ///< nodes
@@ -79,43 +82,47 @@ struct Keyframed_model
   /// A geometry where it is drawn: at a node, or moved by a skin, of which the node's own place is no part.
   struct Part
   {
-    std::size_t geometry = none;
-    std::size_t node = none;
-    std::size_t skin = none;
+    std::size_t geometry = none; ///< what is drawn
+    std::size_t node = none;     ///< where it hangs in the tree
+    std::size_t skin = none;     ///< what moves it instead, or `none`
     std::vector<double> weights; ///< of the morph targets, as long as no clip says otherwise
     std::string name;            ///< as the file has it, for messages
   };
 
+  /// What of a node a channel changes.
   enum class Path
   {
-    TRANSLATION,
-    ROTATION,
-    SCALE,
-    WEIGHTS ///< of all parts at the node
+    TRANSLATION, ///< `Node::translation`
+    ROTATION,    ///< `Node::rotation`
+    SCALE,       ///< `Node::scale`
+    WEIGHTS      ///< `Part::weights` of all parts at the node
   };
 
+  /// One number or vector that changes with time.
   struct Channel
   {
-    std::size_t node = none;
-    Path path = Path::TRANSLATION;
-    Keyframe_track track;
+    std::size_t node = none;       ///< whose
+    Path path = Path::TRANSLATION; ///< what of it
+    Keyframe_track track;          ///< its values
   };
 
+  /// An animation of the model. What no channel changes is as the nodes and parts say.
   struct Clip
   {
-    std::string name; ///< may be empty
-    std::vector<Channel> channels;
+    std::string name;              ///< may be empty
+    std::vector<Channel> channels; ///< in any order
   };
 
-  std::vector<Node> nodes;
-  std::vector<Geometry> geometries;
-  std::vector<Skin> skins;
-  std::vector<Part> parts; ///< their vertices, one part behind the other, are the file's
-  std::vector<Clip> clips;
+  std::vector<Node> nodes;          ///< in any order
+  std::vector<Geometry> geometries; ///< each may be drawn several times
+  std::vector<Skin> skins;          ///< each may move several parts
+  std::vector<Part> parts;          ///< their vertices, one part behind the other, are the file's
+  std::vector<Clip> clips;          ///< one of them is played
 
   /// what was left out, a sentence each: lines, for instance.
   std::vector<std::string> remarks;
 
+  /// that of all parts together.
   std::size_t number_of_vertices() const
   {
     std::size_t n = 0;

@@ -23,7 +23,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesModels
 
 Tells where the vertices of a `Keyframed_model` are at a time of one of its clips, in the coordinates of the scene.
 
@@ -39,6 +39,8 @@ public:
   /// the positions of all vertices, those of each part behind those of the one before.
   typedef std::vector<std::array<double, 3>> Points;
 
+  /// \param model is kept by reference.
+  /// \param clip the index of the clip that is played.
   /// \param name what the model is called in messages: its file.
   /// \throw Input_error if nodes are their own ancestors, something refers to what is not there, a channel has not the
   /// values that its keys ask for, or a geometry is attached to nothing.

@@ -24,7 +24,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 A file that is either written completely or not at all.
 

@@ -22,7 +22,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 A folder of files that belong together, with the care of `Output_file`: everything goes to a temporary folder, on the same
 disk, and takes its place only in `commit()`. If the object dies before, the temporary is removed and what stood under

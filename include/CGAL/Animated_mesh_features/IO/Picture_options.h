@@ -22,14 +22,15 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 What a picture of a scene shows, and from where.
 */
 struct Picture_options
 {
   /// pixels; each from `smallest_side` to `largest_side`, and `most_pixels` in all.
-  std::size_t width = 1600, height = 1000;
+  std::size_t width = 1600;
+  std::size_t height = 1000; ///< pixels, as `width`
 
   /// the frames, from 0, each in a panel of its own. None: those of the strongest features, at most 6, chosen apart in
   /// time.
@@ -49,14 +50,18 @@ struct Picture_options
   /// sRGB, 8 bits a channel.
   std::array<std::uint8_t, 3> background = {{255, 255, 255}};
 
-  static constexpr std::size_t smallest_side = 64;
-  static constexpr std::size_t largest_side = 16384;
-  static constexpr std::size_t most_pixels = std::size_t(1) << 25; // they take some 150 bytes each
-  static constexpr std::size_t most_frames = 100;
-  static constexpr std::size_t smallest_panel = 48 * 48; // pixels
+  /// \name Limits
+  /// @{
+  static constexpr std::size_t smallest_side = 64;                 ///< of width and height (pixels)
+  static constexpr std::size_t largest_side = 16384;               ///< of width and height (pixels)
+  static constexpr std::size_t most_pixels = std::size_t(1) << 25; ///< which take some 150 bytes each
+  static constexpr std::size_t most_frames = 100;                  ///< panels
+  static constexpr std::size_t smallest_panel = 48 * 48;           ///< pixels for a panel
+  /// @}
 };
 
-/// \ingroup PkgAnimatedMeshFeaturesIO
+/// \ingroup PkgAnimatedMeshFeaturesWriting
+/// checks what can be known before there is a scene.
 /// \throw Option_error if an option has a value that makes no sense for any scene.
 inline void check_picture_options(const Picture_options& options)
 {
@@ -80,8 +85,9 @@ inline void check_picture_options(const Picture_options& options)
         "finite");
 }
 
-/// \ingroup PkgAnimatedMeshFeaturesIO
-/// \throw Option_error if a frame to be shown is not there.
+/// \ingroup PkgAnimatedMeshFeaturesWriting
+/// checks what can be known when the number of frames is.
+/// \throw Option_error if a frame to be shown is not there, or there are too many of them for the picture.
 inline void check_picture_frames(const Picture_options& options, std::size_t number_of_frames)
 {
   if (options.frames.size() > Picture_options::most_frames)

@@ -34,7 +34,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesReading
 
 reads a point cache: the positions of `N` vertices in `F` frames, in single precision, without connectivity. Two
 formats are known, by the ending of the file's name:
@@ -65,8 +65,8 @@ public:
     }
   }
 
-  std::size_t number_of_points() const { return m_points; }
-  std::size_t number_of_frames() const { return m_frames; }
+  std::size_t number_of_points() const { return m_points; } ///< `N`
+  std::size_t number_of_frames() const { return m_frames; } ///< `F`
 
   /// the time of each frame (s); empty for PC2, which has none.
   const std::vector<double>& times() const { return m_times; }

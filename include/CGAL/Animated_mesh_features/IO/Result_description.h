@@ -22,7 +22,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 What a file of features says besides the features: the animation they were found on, and all that is needed to find
 them again.
@@ -36,9 +36,9 @@ struct Result_description
 
   /// \name The animation
   /// @{
-  std::size_t vertices = 0;
-  std::size_t faces = 0;
-  std::size_t frames = 0;
+  std::size_t vertices = 0;         ///< their number
+  std::size_t faces = 0;            ///< their number
+  std::size_t frames = 0;           ///< their number
   double frame_duration = 0;        ///< seconds
   double bounding_box_diagonal = 0; ///< length, of the rest shape
   double mean_edge_length = 0;      ///< length, of the rest shape

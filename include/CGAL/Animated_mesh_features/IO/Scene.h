@@ -20,19 +20,19 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 A field to be shown on the surface, under a name: "strain", "curvature", "deformation" or any other.
 */
 template <class FT>
 struct Scene_field
 {
-  std::string name;
+  std::string name;                                  ///< what it is called in files and legends
   const Spatio_temporal_field<FT>* values = nullptr; ///< `N x F`; not owned.
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 What is to be seen: a moving surface, its features, and fields on it. All writers of pictures and scenes take one.
 
@@ -44,11 +44,11 @@ It refers to what it shows, which must live as long.
 template <class Sequence_, class Feature_>
 struct Scene
 {
-  typedef Sequence_ Sequence;
-  typedef Feature_ Feature;
-  typedef typename Sequence::FT FT;
+  typedef Sequence_ Sequence;       ///< of the surface
+  typedef Feature_ Feature;         ///< of the features
+  typedef typename Sequence::FT FT; ///< of the fields
 
-  const Sequence& sequence;
+  const Sequence& sequence;             ///< the moving surface.
   const std::vector<Feature>& features; ///< strongest first.
   std::vector<Scene_field<FT>> fields;  ///< as many as there are; the most interesting one first.
   std::string title;                    ///< one line, UTF-8.
@@ -63,7 +63,7 @@ struct Scene
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 checks that the parts of a scene belong together: for writers, before they write anything.
 

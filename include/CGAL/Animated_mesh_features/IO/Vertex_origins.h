@@ -19,7 +19,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesModels
 
 Which vertices of a file the vertices of an animation are made of.
 
@@ -29,19 +29,24 @@ the file.
 */
 struct Vertex_origins
 {
+  /// A mesh of the file.
   struct Part
   {
     std::string name;             ///< where it is in the file
     std::size_t first_vertex = 0; ///< of the file
-    std::size_t vertices = 0;
+    std::size_t vertices = 0;     ///< their number
   };
 
+  /// the parts of the file, in its order.
   std::vector<Part> parts;
 
-  /// for vertex `v` those from `first[v]` to `first[v + 1]`, ascending.
-  std::vector<std::size_t> first, file_vertices;
+  std::vector<std::size_t> first;         ///< for each vertex where its rows in `file_vertices` begin; one more
+  std::vector<std::size_t> file_vertices; ///< of vertex `v` from `first[v]` to `first[v + 1]`, ascending
 
+  /// whether vertices simply are those of the file.
   bool empty() const { return first.empty(); }
+
+  /// the number of vertices of the animation; 0 if `empty()`.
   std::size_t number_of_vertices() const { return first.empty() ? 0 : first.size() - 1; }
 
   /// the vertices of the file of which `v` is made: itself, if there are no origins.
@@ -54,7 +59,7 @@ struct Vertex_origins
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesModels
 
 writes a table of comma-separated values, a line for each vertex of the file that belongs to a vertex: `file_vertex` and
 `vertex`, both counted from 0, the number of its part, and its number within the part. Ascending by `vertex`.

@@ -20,7 +20,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesReading
 
 checks that a mesh has as many vertices as a reference, and the same triangles in the same order. Linear in their size.
 

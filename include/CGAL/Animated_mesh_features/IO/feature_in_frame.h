@@ -17,17 +17,19 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace IO {
 
-/// \ingroup PkgAnimatedMeshFeaturesIO
+/// \ingroup PkgAnimatedMeshFeaturesWriting
 /// how long a feature is shown before and after its time, in units of \f$\tau\f$: there, it has faded to 14 %.
 constexpr double feature_life = 2;
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 whether a feature is shown in frame `f`: at most `feature_life` times \f$\tau\f$ from its time, and in any case in its own
 frame, so that there is no feature that is never seen.
 
-\param frame_duration seconds
+\param feature a `Spatio_temporal_feature`.
+\param f from 0.
+\param frame_duration seconds.
 */
 template <class Feature>
 bool lives_in_frame(const Feature& feature, std::size_t f, double frame_duration)
@@ -36,7 +38,7 @@ bool lives_in_frame(const Feature& feature, std::size_t f, double frame_duration
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 how much of a feature is seen in frame `f`, from 0 to 1: \f$\exp(-(t - t_0)^2 / (2 \tau^2))\f$ with the time \f$t\f$ of the
 frame and \f$t_0\f$ of the feature; 0 in frames in which it does not live.
@@ -51,7 +53,7 @@ double opacity_in_frame(const Feature& feature, std::size_t f, double frame_dura
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 the place of a feature on the surface in frame `f`: it moves with the triangle on which it was found.
 

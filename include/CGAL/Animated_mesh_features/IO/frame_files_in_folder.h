@@ -24,7 +24,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesReading
 
 the mesh files (.obj, .off, .ply, .stl) in a folder, one for each frame of an animation, in `natural_order()`.
 

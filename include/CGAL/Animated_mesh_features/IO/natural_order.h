@@ -15,7 +15,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesReading
 
 compares names as people count: `walk_2.obj` comes before `walk_10.obj`. Runs of digits are compared by their value,
 of whatever length, everything else byte by byte. Names that differ in leading zeros only are ordered by these, fewer

@@ -168,7 +168,7 @@ inline double text_height(std::size_t width, std::size_t height)
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 draws a scene in some frames: the surface, coloured by the first of the scene's fields, and the features that live in
 the frame as translucent spheres of radius \f$\sqrt2\,\sigma\f$, blue where \f$\tau\f$ is long and red where it is

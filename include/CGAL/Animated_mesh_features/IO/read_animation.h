@@ -39,7 +39,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesReading
 
 An animation as its files hold it: `N` vertices, `F` frames.
 */
@@ -55,14 +55,17 @@ struct Animation_file_data
   /// the time of each frame (s) if the file tells it (MDD, clips of models), else empty.
   std::vector<double> times;
 
-  /// the coordinates, `N x F` each.
-  Spatio_temporal_field<FT> x, y, z;
+  Spatio_temporal_field<FT> x; ///< coordinates, `N x F`
+  Spatio_temporal_field<FT> y; ///< coordinates, `N x F`
+  Spatio_temporal_field<FT> z; ///< coordinates, `N x F`
 
   /// the files: mesh and cache, or a mesh for each frame, in their order.
   std::vector<std::string> sources;
 
-  /// the names of all animations in the file, and which of them this is; empty where there is but one, without a name.
+  /// the names of all animations in the file; empty where there is but one, without a name.
   std::vector<std::string> clips;
+
+  /// which of them this is.
   std::size_t clip = 0;
 
   /// empty if vertices are those of the file.
@@ -81,7 +84,7 @@ struct Animation_file_data
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesReading
 
 Is told the numbers of vertices and frames of an animation once they are known, before memory for them is taken. It may
 choose that memory (`Field_memory_scope`), or throw.
@@ -152,7 +155,7 @@ void read_frame_files(const std::vector<std::string>& files, const Mesh_reading_
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesReading
 
 reads an animation. `inputs` is one of
 - a mesh file and a point cache (.pc2, .mdd) with as many points as the mesh has vertices, in either order;
@@ -170,6 +173,8 @@ a file for each thread, a point cache some 0.4 MB a thread (see `Point_cache_rea
 \tparam ConcurrencyTag `CGAL::Parallel_if_available_tag` or `CGAL::Sequential_tag`. The result is the same, bit for bit,
   and so is the error, if there are several: that of the first frame.
 
+\param inputs the files, or the folder.
+\param options how mesh files are read.
 \param observe_size see `Size_observer`.
 \throws Input_error if a file is missing or malformed (see `read_mesh()`, `Point_cache_reader`), the frames differ in
 connectivity (the message names the first such triangle) or there are less than two of them, or the inputs are none of

@@ -242,7 +242,7 @@ private:
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesModels
 
 reads an animated model through assimp: FBX, Collada, X and many more. Best effort: what assimp makes of the file is
 what is read, and between keys everything is interpolated linearly. Faces are cut into triangles.

@@ -20,7 +20,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesModels
 
 reads an animated model from a glTF 2.0 file, `.gltf` (with data inside or beside it) or `.glb`: the nodes, meshes,
 skins and morph targets of its default scene, and all animations. Images are not looked at. Lists, strips and fans of

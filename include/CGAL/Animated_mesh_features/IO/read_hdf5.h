@@ -108,15 +108,18 @@ void read_hdf5_fields(const Hdf5_file& hdf5, const Hdf5_sequence& s, const std::
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesReading
 
 reads a sequence of registered meshes from an HDF5 file laid out like D-FAUST's: for each sequence a dataset of
 positions, `N x 3 x F`, and one of triangles for all of them, `T x 3`, counted from 0. Positions may also be `F x N x
 3`, unless the sizes leave a doubt.
 
+\tparam FT `float` or `double`: the precision of the coordinates.
+\param file its name
 \param sequence the name of the dataset of positions, or its number among all three-dimensional ones in alphabetical
   order; empty: the first one
 \param faces the name of the dataset of triangles
+\param observe_size see `Size_observer`
 
 Whoever includes this header links with HDF5's C library. Linear in the size of the dataset; memory, besides the result,
 for 8 million numbers or a frame or vertex.

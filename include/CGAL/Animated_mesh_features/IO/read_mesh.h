@@ -44,7 +44,7 @@ inline bool read_mesh(const std::string& path, const Mesh_reading_options& optio
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesReading
 
 reads a triangle mesh from an OBJ, OFF (ASCII), PLY (ASCII or binary) or STL file (ASCII or binary); the ending of its
 name tells which, in either case of letters. Vertices and faces keep their order.

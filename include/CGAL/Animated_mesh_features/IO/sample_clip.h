@@ -87,7 +87,7 @@ inline void check_finite(const Keyframed_model_evaluator::Points& points, const 
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesModels
 
 makes the frames of a clip of an animated model, with vertices welded that the format split: see `Clip_sampling`,
 `Coincident_vertices` and `weld_surface()`. Times are from 0 at the clip's first key.
@@ -96,7 +96,10 @@ The clip is evaluated twice, so that nothing of the size of the animation is in 
 size; `O(F (N + nodes + keys))`.
 
 \tparam FT, ConcurrencyTag as for `read_animation()`
+\param model what the file holds
+\param sampling which clip, and when
 \param file the name for messages
+\param observe_size see `Size_observer`
 \throws Input_error, Option_error see `Keyframed_model_evaluator`, `find_clip()`, `frame_times()`; a position is not
 finite; there are no triangles.
 */

@@ -24,7 +24,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesReading
 
 builds a surface mesh whose `i`-th vertex is the `i`-th point and whose `i`-th face is the `i`-th triangle. Points
 without triangles become isolated vertices, so that ids stay those of the file.

@@ -25,7 +25,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesModels
 
 What `weld_surface()` makes of a file's triangles.
 */
@@ -34,9 +34,10 @@ struct Welded_surface
   /// those of the file in their order, but for collapsed ones.
   std::vector<std::array<std::size_t, 3>> triangles;
 
-  /// which vertices of the file make vertex `v`: from `first[v]` to `first[v + 1]`, ascending.
-  std::vector<std::size_t> first, file_vertices;
+  std::vector<std::size_t> first;         ///< for each vertex where its rows in `file_vertices` begin; one more
+  std::vector<std::size_t> file_vertices; ///< those that make vertex `v`, from `first[v]` to `first[v + 1]`, ascending
 
+  /// the number of vertices of the welded surface.
   std::size_t number_of_vertices() const { return first.size() - 1; }
 
   std::size_t welded_edges = 0;        ///< pairs of borders that became one edge
@@ -233,7 +234,7 @@ private:
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesModels
 
 sews up a surface that a format cut open: two borders become one edge if their ends are at the same two places and they
 run in opposite directions, and if they are the only two there. Vertices are welded by this alone, never because they

@@ -18,7 +18,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 writes features as a table of comma-separated values: a line of column names, then a line for each feature, in the order
 of the range. Columns, units and digits are those of `write_json()`; points take three columns each, truth values are

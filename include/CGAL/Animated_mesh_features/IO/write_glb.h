@@ -23,7 +23,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 writes a scene as binary glTF 2.0 (GLB), for Blender and the many viewers of that format: no extension is needed.
 

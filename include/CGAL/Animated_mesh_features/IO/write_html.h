@@ -174,7 +174,7 @@ private:
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 writes a scene as one HTML file that shows it in a browser, without a network and without a server: the moving surface
 with its features and fields, to be turned, played and searched.

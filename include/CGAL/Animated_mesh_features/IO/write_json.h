@@ -124,7 +124,7 @@ inline void write_parts(Json_output& out, const Vertex_origins& origins)
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 writes features as JSON, one per line and in the order of the range; a detector's are sorted by strength, strongest
 first.

@@ -21,7 +21,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 writes a field as NumPy array (format NPY 1.0): `N x F` in C order, so that `numpy.load(file)[v, f]` is the value of
 vertex `v` in frame `f`; single precision, little-endian.

@@ -19,7 +19,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 writes a mesh as Wavefront OBJ: its points and triangles in their order, each coordinate with as many digits as it
 takes to read the same number back. Independent of the stream's locale.

@@ -18,7 +18,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 writes a plot of features as a drawing (SVG): for browsers and documents, light or dark as its surroundings are.
 

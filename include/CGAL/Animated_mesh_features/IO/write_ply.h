@@ -25,7 +25,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 writes features as a PLY point cloud, to be looked at next to the mesh in MeshLab, Blender or CloudCompare. Each point
 is a feature's position on the animated surface at its time; further properties are `sigma`, `tau`, `time`, `strength`

@@ -20,7 +20,7 @@ namespace Animated_mesh_features {
 namespace IO {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 writes a picture of a scene, see `picture_of_scene()`, as PNG: 8 bits a channel, sRGB. Needs zlib.
 

@@ -54,7 +54,7 @@ void put_frames(std::ostream& os, std::size_t number_of_points, std::size_t numb
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 writes the positions of an animation as PC2 point cache (3ds Max, Blender, Maya): little-endian, single precision, no
 connectivity.
@@ -86,7 +86,7 @@ void write_pc2(std::ostream& os, std::size_t number_of_points, std::size_t numbe
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 writes the positions of an animation as MDD point cache (LightWave, Blender): big-endian, single precision, no
 connectivity.

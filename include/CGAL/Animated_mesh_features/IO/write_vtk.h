@@ -152,7 +152,7 @@ void write_vtk_surfaces(Output_folder& folder, const Scene<Sequence, Feature>& s
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesWriting
 
 writes a scene as two time series for ParaView and whatever else reads VTK's XML files.
 

@@ -52,7 +52,7 @@ inline double stability(const std::vector<Eigen::Vector3d>& points, int axis)
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 the axis that probably points up, y (1) or z (2): the one on which the body stands more stably, and y if there is no
 clear difference. Files do not tell; animals and people at rest are told well, what does not stand is not.
@@ -64,7 +64,7 @@ inline int probable_up_axis(const std::vector<Eigen::Vector3d>& points)
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 the azimuth (degrees) from which bodies are seen well: 30 degrees beside the direction along which they are thinnest; of
 the four such directions the one from which more of the spheres' centres are seen, weighted by their opacities.

@@ -21,19 +21,24 @@ namespace Animated_mesh_features {
 namespace Rendering {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 A perspective camera. Pixels are counted from the top left corner of the image; the centre of the first one is at
 (0.5, 0.5).
 */
 struct Camera
 {
-  typedef Eigen::Vector3d Vector;
+  typedef Eigen::Vector3d Vector; ///< a position or a direction
 
-  Vector eye = Vector::Zero();
-  Vector right = Vector::UnitX(), up = Vector::UnitY(), forward = -Vector::UnitZ(); ///< orthonormal.
-  double focal_length = 1;      ///< pixels: what is as far to the right as it is far away lies there, from the centre.
-  double width = 1, height = 1; ///< of the image, pixels.
+  Vector eye = Vector::Zero();       ///< where it is.
+  Vector right = Vector::UnitX();    ///< to the right of the image; unit vector.
+  Vector up = Vector::UnitY();       ///< to the top of the image; unit vector.
+  Vector forward = -Vector::UnitZ(); ///< along the line of sight; unit vector, orthogonal to the other two.
+
+  /// pixels: what is as far to the right as it is far away lies there, from the centre.
+  double focal_length = 1;
+  double width = 1;  ///< of the image, pixels.
+  double height = 1; ///< of the image, pixels.
 
   /// the pixel coordinates of a point, and its distance along the view direction, positive in front of the camera.
   Vector project(const Vector& p) const
@@ -51,7 +56,7 @@ struct Camera
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 where a camera looks from: the angles under which the body sees it.
 */
@@ -61,6 +66,7 @@ struct View_direction
   double azimuth = 0;   ///< degrees, around the up axis, counterclockwise seen from above.
   double elevation = 0; ///< degrees above the horizon, less than 90.
 
+  /// the unit vector that points up.
   Eigen::Vector3d up() const { return Eigen::Vector3d::Unit(up_axis); }
 
   /// from the body to the camera, a unit vector; azimuth 0 is along z if y points up, along x if z does, along y if x
@@ -75,7 +81,7 @@ struct View_direction
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 the camera that sees all of the points as large as possible in a rectangle around the middle of the image.
 

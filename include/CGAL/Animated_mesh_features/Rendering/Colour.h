@@ -18,28 +18,56 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace Rendering {
 
-/// a colour in linear light, with the primaries of sRGB: what light adds up in.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+a colour in linear light, with the primaries of sRGB: what light adds up in.
+*/
 typedef Eigen::Array3f Colour;
 
-/// 8 bits a channel, encoded as sRGB (IEC 61966-2-1): what screens and files have.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+8 bits a channel, encoded as sRGB (IEC 61966-2-1): what screens and files have.
+*/
 typedef std::array<std::uint8_t, 3> Srgb8;
 
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+decodes a channel of sRGB, 0 to 1.
+*/
 inline float linear_from_srgb(float s)
 {
   return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
 }
 
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+encodes a channel as sRGB, 0 to 1.
+*/
 inline float srgb_from_linear(float l)
 {
   return l <= 0.0031308f ? 12.92f * l : 1.055f * std::pow(l, 1 / 2.4f) - 0.055f;
 }
 
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+decodes a colour.
+*/
 inline Colour linear(const Srgb8& c)
 {
   return Colour(linear_from_srgb(float(c[0]) / 255), linear_from_srgb(float(c[1]) / 255),
                 linear_from_srgb(float(c[2]) / 255));
 }
 
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+encodes a colour, clamped to what sRGB has and rounded.
+*/
 inline Srgb8 encoded(const Colour& c)
 {
   Srgb8 result;
@@ -50,12 +78,21 @@ inline Srgb8 encoded(const Colour& c)
   return result;
 }
 
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+the colour a fraction `t` of the way from `a` to `b`, in linear light.
+*/
 inline Colour mix(const Colour& a, const Colour& b, float t)
 {
   return a + t * (b - a);
 }
 
-/// relative luminance, 0 to 1.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+relative luminance, 0 to 1.
+*/
 inline float luminance(const Colour& c)
 {
   return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2];
@@ -71,7 +108,11 @@ inline Eigen::Array3d white_point()
 
 } // namespace internal
 
-/// CIELAB (D65) of a colour: distances in it are about what people see.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+CIELAB (D65) of a colour: distances in it are about what people see.
+*/
 inline Eigen::Array3d lab_from_linear(const Colour& c)
 {
   Eigen::Matrix3d to_xyz;
@@ -82,7 +123,11 @@ inline Eigen::Array3d lab_from_linear(const Colour& c)
   return Eigen::Array3d(116 * g[1] - 16, 500 * (g[0] - g[1]), 200 * (g[1] - g[2]));
 }
 
-/// the colour of a place in CIELAB (D65), clamped to what sRGB has.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+the colour of a place in CIELAB (D65), clamped to what sRGB has.
+*/
 inline Colour linear_from_lab(const Eigen::Array3d& lab)
 {
   const double y = (lab[0] + 16) / 116;

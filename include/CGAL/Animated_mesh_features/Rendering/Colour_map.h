@@ -19,7 +19,7 @@ namespace Animated_mesh_features {
 namespace Rendering {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 Numbers from 0 to 1 to colours, in perceptually uniform steps: a smooth curve through a few colours in CIELAB, travelled
 at constant speed, so that equal differences of the number are equal differences to the eye.
@@ -72,7 +72,7 @@ private:
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 the map for fields on the surface: from ivory, where nothing happens, over amber and crimson to dark violet. Its
 lightness falls all the way from 93 to 25, so that it can be read without seeing colours, and in print. Made for this
@@ -85,7 +85,7 @@ inline const Colour_map& field_colours()
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 the map for the temporal scale: 0, the longest, is blue, 1, the shortest, is red; green and yellow between them are
 lighter, so that they are told apart also by those who confuse red and green. Made for this package.

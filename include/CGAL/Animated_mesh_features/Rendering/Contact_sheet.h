@@ -39,12 +39,13 @@ void add_frames(const FeatureRange& features, std::size_t most, std::size_t apar
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 the frames that show most: those of the strongest features, chosen apart in time, in their order. Features of different
 places come first: in a motion that repeats itself, the strongest of all are often one and the same, again and again.
 
 \param features strongest first
+\param number_of_frames of the animation
 \param most how many frames at most
 \returns at least one frame: the middle one, if there are no features.
 */
@@ -66,14 +67,21 @@ std::vector<std::size_t> strongest_frames(const FeatureRange& features, std::siz
   return frames;
 }
 
-/// a rectangle of an image, pixels.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+a rectangle of an image, pixels.
+*/
 struct Panel
 {
-  std::size_t left = 0, top = 0, width = 0, height = 0;
+  std::size_t left = 0;   ///< from the left
+  std::size_t top = 0;    ///< from the top
+  std::size_t width = 0;  ///< to the right
+  std::size_t height = 0; ///< downwards
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 divides a rectangle into equal panels, row by row, so that pictures of a given shape are as large as possible in them.
 \param number of panels

@@ -24,14 +24,16 @@ namespace Animated_mesh_features {
 namespace Rendering {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 How far a surface reaches towards a light: tells which points are in its shadow.
 */
 class Depth_map
 {
 public:
+  /// \param surface casts the shadow; is not kept
   /// \param centre,radius a sphere around the surface
+  /// \param to_light the direction, unit vector
   Depth_map(const Surface& surface, const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& to_light)
     : m_u(to_light.unitOrthogonal())
     , m_v(to_light.cross(m_u))
@@ -51,6 +53,7 @@ public:
   }
 
   /// how much of the light reaches a point, 0 to 1, interpolated between texels.
+  /// \param point anywhere; outside of the map there is no shadow
   /// \param normal points on a surface shadow themselves: they are moved along their normal by one or two texels.
   float visibility(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const
   {

@@ -24,7 +24,7 @@ namespace Animated_mesh_features {
 namespace Rendering {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 A horizontal plane under the body that shows nothing but its shadow, which vanishes towards the horizon: the picture
 keeps its plain background.

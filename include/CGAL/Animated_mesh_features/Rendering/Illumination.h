@@ -25,16 +25,24 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace Rendering {
 
-/// a place that is lit.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+a place that is lit.
+*/
 struct Shading_point
 {
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< its position.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero(); ///< towards the camera's side, length 1.
   Eigen::Vector3d to_eye = Eigen::Vector3d::Zero(); ///< length 1; zero: no highlights.
   double least_cosine = 0;                          ///< of a light's direction and the normal; others are left out.
 };
 
-/// what arrives there.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+what arrives there.
+*/
 struct Shading
 {
   Colour diffuse = Colour::Zero();   ///< 1: as much as a surface of full brightness needs.
@@ -42,14 +50,18 @@ struct Shading
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 lets all lights fall on points, with the shadows that the surface casts.
 
 Light by light, for all points: a depth map is used while it is in the cache, and forgotten. Takes
 O(lights (points + triangles)) time. The result does not depend on the number of threads.
 
+\param points where light falls
+\param surface casts shadows
 \param centre,radius a sphere around the surface
+\param lights see `studio_lights()`
+\returns for each point what arrives there
 */
 inline std::vector<Shading> illuminated(const std::vector<Shading_point>& points, const Surface& surface,
                                         const Eigen::Vector3d& centre, double radius, const std::vector<Light>& lights)

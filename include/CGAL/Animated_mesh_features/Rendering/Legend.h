@@ -20,22 +20,35 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace Rendering {
 
-/// one line of a legend: what is shown, and its colours from the least to the greatest number.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+one line of a legend: what is shown, and its colours from the least to the greatest number.
+*/
 struct Legend_bar
 {
-  std::string name;
-  std::string low, high; ///< the numbers at its ends.
-  const Colour_map* colours = nullptr;
-  bool is_reversed = false; ///< the map's end is for the low number.
+  std::string name;                    ///< what is shown.
+  std::string low;                     ///< the number at its left end.
+  std::string high;                    ///< the number at its right end.
+  const Colour_map* colours = nullptr; ///< not owned.
+  bool is_reversed = false;            ///< the map's end is for the low number.
 };
 
-/// the colours of text and of other lines on a background.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+the colours of text and of other lines on a background.
+*/
 inline Srgb8 ink_on(const Colour& background)
 {
   return luminance(background) > 0.2f ? Srgb8{{45, 48, 54}} : Srgb8{{235, 236, 240}};
 }
 
-/// a number as short as two or three significant digits allow.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+a number as short as two or three significant digits allow.
+*/
 inline std::string short_number(double x, int digits = 3)
 {
   char text[32];
@@ -48,11 +61,14 @@ inline std::string short_number(double x, int digits = 3)
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 draws bars with their names and numbers beside each other, centred in a strip of an image.
+\param image is drawn on
+\param bars from left to right
 \param top,height the strip, pixels
 \param size of the text: height of its capitals, pixels
+\param ink the colour of text and frames, see `ink_on()`
 */
 inline void draw_legend(Srgb_image& image, const std::vector<Legend_bar>& bars, double top, double height, double size,
                         const Srgb8& ink)

@@ -21,7 +21,11 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace Rendering {
 
-/// light from infinitely far away. Soft light is made of many of them.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+light from infinitely far away. Soft light is made of many of them.
+*/
 struct Light
 {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitY(); ///< towards the light, length 1.
@@ -48,7 +52,7 @@ inline std::vector<Eigen::Vector3d> spread_directions(const Eigen::Vector3d& axi
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 the lights of a studio: a large key light above one shoulder of the camera, a fill light at the other, a rim light
 behind the body, and a dome of dim light all around, whose shadows are what is called ambient occlusion. A white surface

@@ -22,7 +22,7 @@ namespace Animated_mesh_features {
 namespace Rendering {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 The cameras of the panels of a picture: they see all bodies from the same direction and distance, so that sizes can be
 compared, and follow them over the ground.
@@ -32,6 +32,7 @@ class Panel_cameras
 public:
   /// \param bodies at least one, each with at least one point
   /// \param spheres of each body. Faint ones need not be seen as a whole.
+  /// \param view where all of them look from
   Panel_cameras(const std::vector<Surface>& bodies, const std::vector<std::vector<Sphere>>& spheres,
                 const View_direction& view)
     : m_view(view)

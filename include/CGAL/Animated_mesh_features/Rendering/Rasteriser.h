@@ -24,11 +24,24 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace Rendering {
 
-/// samples along each side of a pixel.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+samples along each side of a pixel.
+*/
 constexpr long samples_per_side = 4;
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+samples in a pixel: 16.
+*/
 constexpr long samples_per_pixel = samples_per_side * samples_per_side;
 
-/// the place of a sample in its pixel, 0 to 1. Samples are counted row by row.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+the place of a sample in its pixel, 0 to 1. Samples are counted row by row.
+*/
 inline Eigen::Array2d sample_offset(long sample)
 {
   return Eigen::Array2d(double(sample % samples_per_side) + 0.5, double(sample / samples_per_side) + 0.5) /
@@ -36,19 +49,19 @@ inline Eigen::Array2d sample_offset(long sample)
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 a triangle that is the nearest one at some samples of a pixel.
 */
 struct Fragment
 {
-  std::uint32_t triangle = 0;
+  std::uint32_t triangle = 0; ///< rank in `Surface::triangles`
   std::uint16_t samples = 0; ///< bit `i` is sample `i`.
 };
 static_assert(samples_per_pixel <= 16, "a bit for each sample");
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 What a camera sees of a surface: for each pixel the triangles that are nearest at its samples. Hidden parts are found by
 a z-buffer with the reciprocal of the distance, which is linear on the image of a triangle. Triangles that reach behind
@@ -59,6 +72,7 @@ Takes O(samples + triangles) time. The result does not depend on the number of t
 class Visible_surface
 {
 public:
+  /// looks at a surface, which is not kept; the image has the size of the camera's.
   Visible_surface(const Surface& surface, const Camera& camera)
     : m_width(std::size_t(camera.width))
     , m_height(std::size_t(camera.height))
@@ -75,11 +89,13 @@ public:
     for (const auto& f : fragments) m_fragments.insert(m_fragments.end(), f.begin(), f.end());
   }
 
-  std::size_t width() const { return m_width; }
-  std::size_t height() const { return m_height; }
+  std::size_t width() const { return m_width; }   ///< pixels
+  std::size_t height() const { return m_height; } ///< pixels
 
   /// those of pixel `(x, y)` are `fragments()[i]` for `i` from `first(x, y)` to before `first(x + 1, y)`.
   const std::vector<Fragment>& fragments() const { return m_fragments; }
+
+  /// where the fragments of a pixel begin; `x` may be `width()`.
   std::size_t first(std::size_t x, std::size_t y) const { return m_starts[y * m_width + x]; }
 
   /// a triangle on the image; its `value()` is the reciprocal of the distance along the view direction.

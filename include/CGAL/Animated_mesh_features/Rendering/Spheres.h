@@ -23,18 +23,22 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace Rendering {
 
-/// a sphere of coloured glass.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+a sphere of coloured glass.
+*/
 struct Sphere
 {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double radius = 0;
-  Colour colour = Colour::Zero();
-  float opacity = 1; ///< 0: not to be seen.
-  float filling = 1; ///< of its inside, compared with its outline.
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< position
+  double radius = 0;                                ///< length
+  Colour colour = Colour::Zero();                   ///< of what it lets through
+  float opacity = 1;                                ///< 0: not to be seen.
+  float filling = 1;                                ///< of its inside, compared with its outline.
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 Draws translucent spheres over what a camera sees. Their outlines are dark, and where a sphere meets the surface there
 is a dark line: so their places and sizes can be read also without colours.
@@ -42,6 +46,8 @@ is a dark line: so their places and sizes can be read also without colours.
 class Sphere_painter
 {
 public:
+  /// \param spheres in any order
+  /// \param camera the same as that of the picture
   /// \param to_light the direction of the highlights, unit vector
   /// \param line_width of the dark lines, pixels
   Sphere_painter(std::vector<Sphere> spheres, const Camera& camera, const Eigen::Vector3d& to_light, double line_width)
@@ -62,6 +68,7 @@ public:
     return result;
   }
 
+  /// whether a sphere may be seen in a column of pixels.
   bool is_near(std::size_t sphere, std::size_t x) const
   {
     return m_boxes[sphere][0] <= double(x + 1) && double(x) <= m_boxes[sphere][2];

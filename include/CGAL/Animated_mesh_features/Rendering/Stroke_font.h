@@ -23,7 +23,7 @@ namespace Animated_mesh_features {
 namespace Rendering {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 The letters of a small built-in font, drawn with a round pen: ASCII, and what formulas in a legend need. Capitals are 20
 units high, small letters 14; the base line is at 0, y points up. Other characters are shown as a box. Made for this
@@ -34,17 +34,19 @@ class Stroke_font
 public:
   typedef std::vector<Eigen::Vector2d> Stroke; ///< a polyline; a point is two equal ones.
 
+  /// A letter.
   struct Glyph
   {
-    std::vector<Stroke> strokes;
-    double width = 0; ///< from the left end of the pen's path, which is at 0, to the right end.
+    std::vector<Stroke> strokes; ///< what the pen draws
+    double width = 0;            ///< from the left end of the pen's path, which is at 0, to the right end.
   };
 
-  static constexpr double capital_height = 20;
-  static constexpr double pen_width = 2.3;
-  static constexpr double gap = 6; ///< between the paths of two letters.
-  static constexpr double space = 8;
+  static constexpr double capital_height = 20; ///< units
+  static constexpr double pen_width = 2.3;     ///< units
+  static constexpr double gap = 6;             ///< between the paths of two letters.
+  static constexpr double space = 8;           ///< from the start of a space to that of what follows.
 
+  /// the characters of a text.
   /// \param text UTF-8; bytes that are none are shown as boxes.
   static std::u32string characters(const std::string& text)
   {
@@ -65,6 +67,7 @@ public:
     return result;
   }
 
+  /// the letter of a character; a box if the font has none.
   static const Glyph& glyph(char32_t c)
   {
     static const std::map<char32_t, Glyph> all = glyphs();

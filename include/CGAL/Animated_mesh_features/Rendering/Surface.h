@@ -21,19 +21,27 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace Rendering {
 
-/// what is drawn of an animation in one frame.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+what is drawn of an animation in one frame.
+*/
 struct Surface
 {
-  typedef std::array<std::uint32_t, 3> Triangle;
+  typedef std::array<std::uint32_t, 3> Triangle; ///< of indices of points
 
-  std::vector<Eigen::Vector3d> points;
-  std::vector<Triangle> triangles;
+  std::vector<Eigen::Vector3d> points;  ///< positions of the vertices.
+  std::vector<Triangle> triangles;      ///< either side is seen.
   std::vector<Eigen::Vector3d> normals; ///< of the vertices, length 1, or 0 where there is none.
   std::vector<float> values;            ///< of the field, 0 to 1; empty if there is none.
 };
 
-/// the normals of vertices: means of those of the triangles, weighted by the angle at the vertex, which makes them
-/// independent of how the surface is cut into triangles.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+the normals of vertices: means of those of the triangles, weighted by the angle at the vertex, which makes them
+independent of how the surface is cut into triangles.
+*/
 inline std::vector<Eigen::Vector3d> vertex_normals(const std::vector<Eigen::Vector3d>& points,
                                                    const std::vector<Surface::Triangle>& triangles)
 {

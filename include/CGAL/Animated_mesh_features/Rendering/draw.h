@@ -23,10 +23,18 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace Rendering {
 
-/// an image as it is stored.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+an image as it is stored.
+*/
 typedef Image_of<Srgb8> Srgb_image;
 
-/// lays a colour over a pixel, if there is such a pixel. Blended as it is encoded: thin letters keep their weight.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+lays a colour over a pixel, if there is such a pixel. Blended as it is encoded: thin letters keep their weight.
+*/
 inline void blend(Srgb_image& image, long x, long y, const Srgb8& colour, double opacity)
 {
   if (x < 0 || y < 0 || x >= long(image.width()) || y >= long(image.height())) return;
@@ -35,7 +43,11 @@ inline void blend(Srgb_image& image, long x, long y, const Srgb8& colour, double
     p[i] = std::uint8_t(double(p[i]) + opacity * (double(colour[i]) - double(p[i])) + 0.5);
 }
 
-/// draws strokes with a round pen of the given width (pixels), with smooth edges.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+draws strokes with a round pen of the given width (pixels), with smooth edges.
+*/
 inline void draw_strokes(Srgb_image& image, const std::vector<Stroke_font::Stroke>& strokes, double pen,
                          const Srgb8& colour)
 {
@@ -62,13 +74,21 @@ inline void draw_strokes(Srgb_image& image, const std::vector<Stroke_font::Strok
     }
 }
 
-/// the width of a text whose capitals are `size` pixels high.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+the width of a text whose capitals are `size` pixels high.
+*/
 inline double text_width(const std::string& text, double size)
 {
   return Stroke_font::width(Stroke_font::characters(text)) * size / Stroke_font::capital_height;
 }
 
-/// draws a text whose capitals are `size` pixels high, from `x` to the right, on the base line `y`.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+draws a text whose capitals are `size` pixels high, from `x` to the right, on the base line `y`.
+*/
 inline void draw_text(Srgb_image& image, const std::string& text, double x, double y, double size, const Srgb8& colour)
 {
   const double scale = size / Stroke_font::capital_height;

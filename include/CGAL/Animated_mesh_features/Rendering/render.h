@@ -30,15 +30,19 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace Rendering {
 
-/// what is in a picture besides the surface.
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+what is in a picture besides the surface.
+*/
 struct Stage_set
 {
   Eigen::Vector3d up = Eigen::Vector3d::UnitY(); ///< unit vector.
   double ground = 0;                             ///< its height along `up`.
-  Colour background = Colour::Ones();
-  Colour clay = Colour(0.80f, 0.78f, 0.74f); ///< of a surface without values.
-  double line_width = 1.5;                   ///< around spheres, pixels.
-  std::vector<Sphere> spheres;
+  Colour background = Colour::Ones();            ///< of what is neither surface nor shadow.
+  Colour clay = Colour(0.80f, 0.78f, 0.74f);     ///< of a surface without values.
+  double line_width = 1.5;                       ///< around spheres, pixels.
+  std::vector<Sphere> spheres;                   ///< the features.
 };
 
 namespace internal {
@@ -131,7 +135,7 @@ inline Colour resolved(const Visible_surface& visible, const std::vector<Colour>
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesIO
+\ingroup PkgAnimatedMeshFeaturesRendering
 
 draws a surface as it would look in a photographer's studio: lit by soft lights, standing on a ground, with translucent
 spheres. The image has the size of the camera's. The same bits whatever the number of threads.
