@@ -39,8 +39,15 @@ class Entity:
 
 
 def has_text(node):
-    return any("".join(node.find(part).itertext()).strip() for part in ("briefdescription", "detaileddescription")
-               if node.find(part) is not None)
+    """Whether it says what the entity is: a list of parameters and exceptions alone does not."""
+    for part in ("briefdescription", "detaileddescription"):
+        for paragraph in node.iterfind(part + "/para"):
+            own = (paragraph.text or "") + "".join(
+                "".join(child.itertext()) * (child.tag not in ("parameterlist", "simplesect")) + (child.tail or "")
+                for child in paragraph)
+            if own.strip():
+                return True
+    return False
 
 
 def is_written_by_the_compiler(member):

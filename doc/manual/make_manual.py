@@ -21,7 +21,7 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 SOURCE = FOLDER.parent.parent
 MATHJAX_FOLDERS = ["/usr/share/javascript/mathjax", "/usr/share/mathjax"]
 # SVG output with the TeX fonts; what it loads on demand
-MATHJAX_PARTS = ["MathJax.js", "config/TeX-AMS-MML_SVG.js", "config/TeX-MML-AM_SVG.js", "extensions", "jax/element",
+MATHJAX_PARTS = ["MathJax.js", "config/TeX-AMS_SVG.js", "extensions", "jax/element",
                  "jax/input/TeX", "jax/output/SVG/jax.js", "jax/output/SVG/config.js", "jax/output/SVG/autoload",
                  "jax/output/SVG/fonts/TeX"]
 
@@ -44,7 +44,7 @@ def version(source):
 
 def find_mathjax(given):
     for folder in [given] if given else MATHJAX_FOLDERS:
-        if (pathlib.Path(folder) / "config/TeX-MML-AM_SVG.js").exists():
+        if (pathlib.Path(folder) / MATHJAX_PARTS[1]).exists():
             return pathlib.Path(folder)
     sys.exit("make_manual.py: MathJax 2 is not here (Debian: libjs-mathjax)")
 

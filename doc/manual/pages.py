@@ -21,7 +21,7 @@ def finish(folder, tag_file, pictures):
     concepts = {name for name, text in texts.items() if 'class="amf-kind">Concept<' in text}
     figures = number_figures(texts["index.html"])
     for name, text in texts.items():
-        text = with_short_title(text, name in concepts)
+        text = with_short_names(with_short_title(without_menus(text), name in concepts))
         for anchor, number in figures.items():
             text = text.replace(f">{anchor}</a>", f">Figure {number}</a>")
         texts[name] = text
@@ -36,6 +36,12 @@ def finish(folder, tag_file, pictures):
     index = [entry for entry in search_index(compounds, concepts, texts) if entry[3].split("#")[0] in keep]
     (folder / "manual_index.js").write_text("var manualIndex = " + json.dumps(index, ensure_ascii=False,
                                             separators=(",", ":")).replace("],[", "],\n[") + ";\n", encoding="utf-8")
+
+
+def without_menus(text):
+    """The list of sections beside the title, of which some may be empty, and arrows that need a script."""
+    text = re.sub(r'<div class="summary">.*?</div>', "", text, count=1, flags=re.DOTALL)
+    return re.sub(r' onclick="javascript:toggleInherit[^"]*"><img src="closed.png" alt="-"/>&#160;', ">", text)
 
 
 # ----------------------------------------------------------------------------------------------------------------- titles
@@ -65,6 +71,21 @@ def with_short_title(text, is_concept):
         text = text.replace('<p class="amf-kind">Concept</p>', "")
         text = re.sub(r"\n<p><code>#include [^\n]*</code></p>", "", text, count=1)
     return text
+
+
+def with_short_names(text):
+    """Declarations without the namespace of the package, and without the class on whose page they are."""
+    title = re.search(r'<span class="amf-scope">([^<]*)</span><wbr/>(\S+)', text)
+    own = re.compile(r"\b%s(</a>)?\s*(?:&lt;[^:]*&gt;)?::" % re.escape("".join(title.groups()))) if title else None
+
+    def shortened(cell):
+        if own:
+            cell = re.sub(r'<a class="el"[^>]*></a>', "", own.sub(r"\1", cell))
+        return re.sub(r"\bCGAL::Animated_mesh_features::", "", cell)
+
+    text = re.sub(r'<td class="(?:memname|memItemRight|memTemplItemRight|memItemLeft|memTemplItemLeft|paramtype)".*?</td>',
+                  lambda cell: shortened(cell.group(0)), text, flags=re.DOTALL)
+    return text.replace("operator()()</h2>", "operator()</h2>")
 
 
 # ------------------------------------------------------------------------------------------------------------- navigation

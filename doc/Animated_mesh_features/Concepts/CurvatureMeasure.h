@@ -9,11 +9,11 @@
 \cgalConcept
 
 The concept `CurvatureMeasure` describes the curvature of a surface around a vertex as a quotient of two sums over the
-edges and triangles of a geodesic ball,
+edges and triangles of a geodesic ball.
 \f[ \kappa = c\, \frac{\sum_e w_e\, p(\beta_e, |e|)}{\sum_e w_e\, q(\beta_e, |e|) + \sum_t w_t\, g(A_t)} , \f]
-with the signed dihedral angle \f$\beta\f$ (radians; \f$\pi\f$ minus the interior angle, positive where the surface is
-convex), lengths and areas in the unit of the mesh, all of them those of the frame. Border edges do not count. Where the
-denominator is not positive, the curvature is 0.
+\f$\beta_e\f$ is the signed dihedral angle of an edge (radians; \f$\pi\f$ minus the interior angle, positive where the surface
+is convex), \f$|e|\f$ its length and \f$A_t\f$ the area of a triangle in the unit of the mesh, all of them those of the frame.
+Border edges do not count. Where the denominator is not positive, the curvature is 0.
 
 The three functions are called with Eigen arrays, `Array` being `Eigen::Array<FT, N, 1>` with the `FT` of the animation
 and `N = 64 / sizeof(FT)`: an edge or a triangle in several frames, in vector registers. Behind the last frame arrays

@@ -47,6 +47,8 @@ struct CGAL_heat_method_geodesic_balls
   double patch_margin = 3;
 
   /*!
+  collects the balls of all vertices.
+
   \returns for each vertex the vertices within `radius` of it, itself included, ascending.
   \param shape the rest shape.
   \param radius positive; length.

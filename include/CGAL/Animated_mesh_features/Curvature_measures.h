@@ -27,11 +27,11 @@ enum class Ball_membership
 /*!
 \addtogroup PkgAnimatedMeshFeaturesCurvatureMeasures
 
-Models of `CurvatureMeasure`: quotients of two sums over the edges and triangles of a geodesic ball,
+Models of `CurvatureMeasure`: quotients of two sums over the edges and triangles of a geodesic ball.
 \f[ \kappa = c\, \frac{\sum_e w_e\, p(\beta_e, |e|)}{\sum_e w_e\, q(\beta_e, |e|) + \sum_t w_t\, g(A_t)} , \f]
-with the signed dihedral angle \f$\beta\f$ (\f$\pi\f$ minus the interior angle, positive where the surface is convex),
-lengths and areas of the frame, and weights \f$w\f$ by `membership`. `p`, `q` and `g` take Eigen arrays, with one entry
-for each of several frames.
+\f$\beta_e\f$ is the signed dihedral angle of an edge (radians; \f$\pi\f$ minus the interior angle, positive where the surface is
+convex), lengths and areas are those of the frame, weights \f$w\f$ go by `membership`. `p`, `q` and `g` take Eigen arrays, with
+one entry for each of several frames.
 */
 
 /*!

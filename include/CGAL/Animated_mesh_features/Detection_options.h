@@ -113,8 +113,8 @@ struct Detection_options
   /// \name Replacing a policy
   /// Each returns options of another type, with everything else unchanged.
   /// @{
-  /// \tparam T a model of `StrainMeasure`.
 
+  /// the same options but for the measure of strain.
   /// \tparam T a model of `StrainMeasure`.
   template <class T>
   auto with_strain(const T& p) const
@@ -122,6 +122,7 @@ struct Detection_options
     return copy(p, curvature, balls, spatial_filter, temporal_filter, sampling, response, search);
   }
 
+  /// the same options but for the measure of curvature.
   /// \tparam T a model of `CurvatureMeasure`.
   template <class T>
   auto with_curvature(const T& p) const
@@ -129,6 +130,7 @@ struct Detection_options
     return copy(strain, p, balls, spatial_filter, temporal_filter, sampling, response, search);
   }
 
+  /// the same options but for how geodesic balls are found.
   /// \tparam T a model of `GeodesicBalls`.
   template <class T>
   auto with_balls(const T& p) const
@@ -136,6 +138,7 @@ struct Detection_options
     return copy(strain, curvature, p, spatial_filter, temporal_filter, sampling, response, search);
   }
 
+  /// the same options but for the smoothing over the surface.
   /// \tparam T a model of `SpatialFilter`.
   template <class T>
   auto with_spatial_filter(const T& p) const
@@ -143,6 +146,7 @@ struct Detection_options
     return copy(strain, curvature, balls, p, temporal_filter, sampling, response, search);
   }
 
+  /// the same options but for the smoothing over time.
   /// \tparam T a model of `TemporalFilter`.
   template <class T>
   auto with_temporal_filter(const T& p) const
@@ -150,6 +154,7 @@ struct Detection_options
     return copy(strain, curvature, balls, spatial_filter, p, sampling, response, search);
   }
 
+  /// the same options but for the levels of the scale space.
   /// \tparam T a model of `ScaleSampling`.
   template <class T>
   auto with_sampling(const T& p) const
@@ -157,6 +162,7 @@ struct Detection_options
     return copy(strain, curvature, balls, spatial_filter, temporal_filter, p, response, search);
   }
 
+  /// the same options but for the response.
   /// \tparam T a model of `SpaceTimeResponse`.
   template <class T>
   auto with_response(const T& p) const
@@ -164,6 +170,7 @@ struct Detection_options
     return copy(strain, curvature, balls, spatial_filter, temporal_filter, sampling, p, search);
   }
 
+  /// the same options but for the search for minima.
   /// \tparam T a model of `ExtremumSearch`.
   template <class T>
   auto with_search(const T& p) const

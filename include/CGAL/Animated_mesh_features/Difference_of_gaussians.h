@@ -19,15 +19,15 @@ namespace Animated_mesh_features {
 /*!
 \addtogroup PkgAnimatedMeshFeaturesResponses
 
-Models of `SpaceTimeResponse`: scale-normalised differences of Gaussians in space and time,
+Models of `SpaceTimeResponse`: scale-normalised differences of Gaussians in space and time.
 \f[ D_{k,l} = a_{k,l}\,(L_{k+p,l} - L_{k-q,l}) + b_{k,l}\,(L_{k,l+p} - L_{k,l-q}) , \f]
-with p = `above` and q = `below`. They are negative at the centre of a bright blob.
+p is `above`, q is `below`. They are negative at the centre of a bright blob.
 */
 
 /*!
 \ingroup PkgAnimatedMeshFeaturesResponses
 
-Central differences of logarithmic scales, the default: with \f$\hat s = s/\sigma_u^2\f$ and \f$\hat u = u/\tau_u^2\f$
+Central differences of logarithmic scales, the default. With \f$\hat s = s/\sigma_u^2\f$ and \f$\hat u = u/\tau_u^2\f$
 in the units of the sampling,
 \f[ D = \hat u^{1/4}\,\frac{L_{k+1,l} - L_{k-1,l}}{\ln(\sigma_{k+1}/\sigma_{k-1})} +
         \hat s^{1/2} \hat u^{-1/4}\,\frac{L_{k,l+1} - L_{k,l-1}}{\ln(\tau_{l+1}/\tau_{l-1})} . \f]
@@ -43,6 +43,7 @@ public:
   static constexpr std::size_t below = 1; ///< q
   static constexpr std::size_t above = 1; ///< p
 
+  /// takes over the scales, before any weight is asked for.
   /// \param sigma, tau the scales of the levels (length, seconds).
   /// \param levels has the units in which they are measured.
   void initialize(const std::vector<double>& sigma, const std::vector<double>& tau, const Scale_levels& levels)
@@ -85,6 +86,7 @@ public:
   static constexpr std::size_t below = 0; ///< q
   static constexpr std::size_t above = 1; ///< p
 
+  /// takes over the scales, before any weight is asked for.
   /// \param sigma, tau the scales of the levels (length, seconds).
   /// \param levels has the units in which they are measured.
   void initialize(const std::vector<double>& sigma, const std::vector<double>& tau, const Scale_levels& levels)

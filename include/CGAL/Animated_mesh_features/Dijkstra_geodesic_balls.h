@@ -33,6 +33,8 @@ irregular meshes, so that the balls are too small. `O(N k log k)` for `k` vertic
 struct Dijkstra_geodesic_balls
 {
   /*!
+  collects the balls of all vertices.
+
   \returns for each vertex the vertices within `radius` of it, itself included, ascending.
   \param shape the rest shape.
   \param radius positive; length.

@@ -79,7 +79,9 @@ public:
 
   /// \name Fields
   /// computed at the first call. The visitor is a model of `DetectionVisitor`.
-  /// \throw Numerical_error, Cancelled, Option_error
+  /// \throw Option_error if the radius of the balls is negative or not finite.
+  /// \throw Numerical_error if a matrix cannot be factored.
+  /// \throw Cancelled if the visitor asks for it.
   /// @{
 
   /// `N x F` strains.
@@ -171,7 +173,10 @@ public:
 
   \param out an output iterator of `Feature`.
   \param visitor a model of `DetectionVisitor`.
-  \throw Option_error, Numerical_error, Cancelled. Nothing is written then.
+  \throw Option_error if a threshold is out of its range, or the sampling finds no levels. Nothing is written if an
+    exception is thrown.
+  \throw Numerical_error if a matrix cannot be factored.
+  \throw Cancelled if the visitor asks for it.
   */
   template <class OutputIterator, class Visitor>
   OutputIterator operator()(OutputIterator out, Visitor& visitor)

@@ -52,7 +52,9 @@ public:
   }
 
 private:
+  /// \cond SKIP_IN_MANUAL
   friend class Field_memory_scope;
+  /// \endcond
 
   // Large blocks of calloc() are pages that the system clears when they are used first, by the thread that does.
   class Heap;

@@ -106,7 +106,9 @@ public:
     }
 
   private:
+    /// \cond SKIP_IN_MANUAL
     friend class Frame_sequence;
+    /// \endcond
     static constexpr std::size_t rest = std::size_t(-1);
     Point_map(const internal::Flat_animation<FT>* animation, Vertex_index_map index, std::size_t frame)
       : m_animation(animation)
@@ -120,6 +122,8 @@ public:
   };
 
   /*!
+  converts and keeps the positions of all frames, in `O(N F)` time. The rest shape is the first frame.
+
   \param mesh the connectivity. Borders, several components, isolated vertices and triangles that are degenerate are
     allowed, see `report()`.
   \param frames a range with an element for each frame: either a readable property map from vertex descriptor to a

@@ -60,6 +60,8 @@ struct Heat_method_geodesic_balls
   double patch_margin = 2;
 
   /*!
+  collects the balls of all vertices.
+
   \returns for each vertex the vertices within `radius` of it, itself included, ascending.
   \param shape the rest shape.
   \param radius positive; length.

@@ -39,6 +39,7 @@ A pass costs one addition for each pair of neighbours and frame. A level of stan
 class One_ring_average_filter
 {
 public:
+  /// makes a filter without levels.
   /// \param scale_per_vertex whether the scale of a level is told for each vertex; otherwise it is the same for all.
   explicit One_ring_average_filter(bool scale_per_vertex = true) : m_per_vertex(scale_per_vertex) {}
 

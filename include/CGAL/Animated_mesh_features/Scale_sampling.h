@@ -61,6 +61,7 @@ struct Fixed_ratio_sampling
   /// the range of \f$\tau\f$ (seconds); by default from one frame to a sixth of the duration.
   Scale_range tau;
 
+  /// chooses the levels; asks the spatial filter for its `smallest_variance()`, below which levels are left out.
   /// \throw Option_error if a range is empty, or nothing of it can be resolved by the mesh or by the frames.
   template <class SpatialFilter, class TemporalFilter>
   Scale_levels operator()(const Rest_shape& shape,
@@ -161,6 +162,7 @@ struct Every_smoothing_count
     return std::size_t(std::floor(6 * radius_over_width * radius_over_width * (1 + 1e-12)));
   }
 
+  /// chooses the levels; asks both filters for their `unit_variance()`.
   /// \throw Option_error if there are not enough levels for an extremum between levels.
   template <class SpatialFilter, class TemporalFilter>
   Scale_levels operator()(const Rest_shape& shape,

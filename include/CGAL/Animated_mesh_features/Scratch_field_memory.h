@@ -51,6 +51,8 @@ class Scratch_field_memory : public Field_memory
 {
 public:
   /*!
+  begins to watch the memory of the process.
+
   \param directory on a disk, with room for the fields.
   \param limit bytes in memory above which fields are let go of.
   \throw Output_error if no file can be made there, or it is in memory itself (tmpfs).

@@ -39,6 +39,7 @@ public:
   /// the positions of all vertices, those of each part behind those of the one before.
   typedef std::vector<std::array<double, 3>> Points;
 
+  /// checks a model and makes its tree of nodes ready to be evaluated.
   /// \param model is kept by reference.
   /// \param clip the index of the clip that is played.
   /// \param name what the model is called in messages: its file.

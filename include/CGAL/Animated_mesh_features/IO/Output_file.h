@@ -94,7 +94,8 @@ public:
   /// the name for messages.
   const std::string& name() const { return m_name; }
 
-  /// \throws Output_error if writing has failed so far; for stopping early in a long output.
+  /// tells whether writing has failed so far; for stopping early in a long output.
+  /// \throws Output_error if it has.
   void check() const
   {
     if (m_buffer.error() != 0) fail(m_buffer.error());

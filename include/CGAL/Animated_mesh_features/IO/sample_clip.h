@@ -100,7 +100,8 @@ size; `O(F (N + nodes + keys))`.
 \param sampling which clip, and when
 \param file the name for messages
 \param observe_size see `Size_observer`
-\throws Input_error, Option_error see `Keyframed_model_evaluator`, `find_clip()`, `frame_times()`; a position is not
+\throws Option_error see `find_clip()` and `frame_times()`
+\throws Input_error see `Keyframed_model_evaluator`, `find_clip()`, `frame_times()`; a position is not
 finite; there are no triangles.
 */
 template <class FT, class ConcurrencyTag = CGAL::Parallel_if_available_tag>

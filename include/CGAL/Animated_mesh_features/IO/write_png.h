@@ -27,7 +27,8 @@ writes a picture of a scene, see `picture_of_scene()`, as PNG: 8 bits a channel,
 \param os a binary stream; errors are left in its state, `Output_file` reports them
 \param scene,options what is shown, and how
 
-\throws Option_error, Input_error as `picture_of_scene()`
+\throws Option_error as `picture_of_scene()`
+\throws Input_error as `picture_of_scene()`
 */
 template <class Sequence, class Feature>
 void write_png(std::ostream& os, const Scene<Sequence, Feature>& scene,

@@ -27,6 +27,7 @@ at constant speed, so that equal differences of the number are equal differences
 class Colour_map
 {
 public:
+  /// fits the curve, and divides it into equal steps.
   /// \param corners colours in CIELAB (D65), at least two, which the curve passes.
   explicit Colour_map(const std::vector<Eigen::Array3d>& corners)
   {

@@ -31,6 +31,7 @@ How far a surface reaches towards a light: tells which points are in its shadow.
 class Depth_map
 {
 public:
+  /// looks at a surface from the light.
   /// \param surface casts the shadow; is not kept
   /// \param centre,radius a sphere around the surface
   /// \param to_light the direction, unit vector

@@ -32,6 +32,7 @@ keeps its plain background.
 class Ground
 {
 public:
+  /// lays a ground that no light has fallen on yet.
   /// \param up unit vector
   /// \param height of the plane along `up`
   /// \param centre,radius a sphere around the surface

@@ -30,6 +30,7 @@ compared, and follow them over the ground.
 class Panel_cameras
 {
 public:
+  /// measures the bodies and the spheres around them.
   /// \param bodies at least one, each with at least one point
   /// \param spheres of each body. Faint ones need not be seen as a whole.
   /// \param view where all of them look from

@@ -46,6 +46,7 @@ is a dark line: so their places and sizes can be read also without colours.
 class Sphere_painter
 {
 public:
+  /// makes ready to draw what a camera sees.
   /// \param spheres in any order
   /// \param camera the same as that of the picture
   /// \param to_light the direction of the highlights, unit vector
