@@ -17,7 +17,7 @@ if(ANIMATED_MESH_FEATURES_MATHJAX)
   set(arguments --mathjax "${ANIMATED_MESH_FEATURES_MATHJAX}")
 endif()
 add_custom_target(doc
-  COMMAND "${Python3_EXECUTABLE}" "${PROJECT_SOURCE_DIR}/doc/manual/make_manual.py"
+  COMMAND "${Python3_EXECUTABLE}" -B "${PROJECT_SOURCE_DIR}/doc/manual/make_manual.py"
     --output "${PROJECT_BINARY_DIR}/doc" --doxygen "${ANIMATED_MESH_FEATURES_DOXYGEN}" ${arguments}
   COMMENT "The manual"
   VERBATIM)

@@ -3,6 +3,7 @@
 #
 #   scripts/install_dependencies.sh           compiler, CMake, CGAL, Eigen, Boost, oneTBB, zlib; tinygltf, if it can be had
 #   scripts/install_dependencies.sh --tests   also what only the tests need
+#   scripts/install_dependencies.sh --doc     what the manual is made with, and nothing else
 
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -15,9 +16,14 @@ optional=(libtinygltf-dev)
 # Without these a part of the tests is left out, too.
 case "${1:-}" in
   "") ;;
+  --doc)
+    packages=(doxygen libjs-mathjax python3)
+    optional=()
+    ;;
   --tests)
     packages+=(ninja-build python3)
-    optional+=(ccache libopenmesh-dev clang python3-vtk9 libassimp-dev libhdf5-dev assimp-testmodels curl)
+    optional+=(ccache libopenmesh-dev clang python3-vtk9 libassimp-dev libhdf5-dev assimp-testmodels curl doxygen
+      libjs-mathjax)
     # for the viewer; they may be there from elsewhere, and then Debian's would get in their way
     command -v npm > /dev/null || optional+=(nodejs npm)
     command -v chromium > /dev/null || optional+=(chromium)

@@ -22,6 +22,7 @@ def finish(folder, tag_file, pictures):
     figures = number_figures(texts["index.html"])
     for name, text in texts.items():
         text = with_short_names(with_short_title(without_menus(text), name in concepts))
+        text = with_described_pictures(text)
         for anchor, number in figures.items():
             text = text.replace(f">{anchor}</a>", f">Figure {number}</a>")
         texts[name] = text
@@ -51,6 +52,19 @@ def number_figures(manual):
     """Figures have numbers in the order of the user manual."""
     anchors = re.findall(r'class="anchor" id="(fig__[^"]*)"', manual)
     return {anchor: number for number, anchor in enumerate(dict.fromkeys(anchors), 1)}
+
+
+def with_described_pictures(text):
+    """Drawings as images, like photographs; captions as what is read out in the place of a picture."""
+    text = re.sub(r'<object type="image/svg\+xml" data="([^"]*)"[^>]*>.*?</object>', r'<img src="\1" alt=""/>', text,
+                  flags=re.DOTALL)
+
+    def described(figure):
+        caption = html.escape(plain(figure.group(2)).partition(". ")[0], quote=True)
+        return figure.group(1).replace('alt=""', f'alt="{caption}"') + figure.group(2)
+
+    return re.sub(r'(<div class="amf-figure">.*?</div>\s*)(<div class="amf-caption">.*?</div>)', described, text,
+                  flags=re.DOTALL)
 
 
 def with_short_title(text, is_concept):
