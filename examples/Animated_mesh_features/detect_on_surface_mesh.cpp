@@ -28,6 +28,7 @@ int main()
   options.vertices_around = 18;
   const auto cylinder = Animated_mesh_generators::bending_cylinder(options);
 
+  //! [detect]
   // a mesh, the points of each frame in the order of its vertices, and the time between frames in seconds
   Frame_sequence animation(cylinder.mesh, cylinder.frames, cylinder.frame_duration);
   animation.set_rest_shape(cylinder.mesh.points());
@@ -38,5 +39,6 @@ int main()
   for (const Feature& f : features)
     std::cout << f.vertex << " at " << f.time << " s: height " << f.rest_position[2] << ", radius " << f.radius()
               << ", duration " << f.tau << " s, strength " << f.strength() << std::endl;
+  //! [detect]
   return features.empty() ? 1 : 0;
 }

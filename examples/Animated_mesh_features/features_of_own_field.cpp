@@ -44,10 +44,12 @@ int main()
     }
   }
 
+  //! [field]
   Detector detector(animation);
   detector.set_deformation(temperature);
   std::vector<Detector::Feature> features;
   detector(std::back_inserter(features));
+  //! [field]
   for (const Detector::Feature& f : features)
     std::cout << "height " << f.rest_position[2] << " (flame: " << flame.z() << "), time " << f.time << " s (" << time
               << "), sigma " << f.sigma << " (" << size << "), tau " << f.tau << " s (" << duration << ")" << std::endl;

@@ -28,10 +28,12 @@ typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef AMF::Frame_sequence<Mesh> Frame_sequence;
 
 // StrainMeasure: the change of area only; shear counts nothing.
+//! [strain]
 struct Area_strain
 {
   double operator()(double lambda_1, double lambda_2) const { return std::abs(std::log(lambda_1 * lambda_2)) / 2; }
 };
+//! [strain]
 
 // CurvatureMeasure: how much the surface is bent, no matter to which side, in 1 / length.
 struct Absolute_bending
@@ -222,6 +224,7 @@ int main()
   Frame_sequence animation(cylinder.mesh, cylinder.frames, cylinder.frame_duration);
   animation.set_rest_shape(cylinder.mesh.points());
 
+  //! [options]
   const auto options = AMF::calibrated_options()
                            .with_strain(Area_strain())
                            .with_curvature(Absolute_bending())
@@ -233,6 +236,7 @@ int main()
                            .with_response(Weighted_differences{0.4})
                            .with_search(Minima_along_axes());
   AMF::Feature_detector<Frame_sequence, std::decay_t<decltype(options)>> detector(animation, options);
+  //! [options]
   Stage_names visitor;
   std::vector<decltype(detector)::Feature> features;
   detector(std::back_inserter(features), visitor);
