@@ -194,7 +194,7 @@ def levels(folder, name, title, colours, low, high, file, marks):
         k = len(sigma) - 1 - i
         for l, t in enumerate(tau):
             left, top = 100 + 220 * l, 52 + 158 * i
-            x = Axis(0, times, [0, 1, 2], labels=["0", "1", "2 s"] if i == 2 else ["", "", ""])
+            x = Axis(0, times, [0, 1, 2], labels=["0", "1", "2"] if i == 2 else ["", "", ""])
             y = Axis(0, 7, [0, 3, 5.2], labels=["0", "3", "5.2"] if l == 0 else ["", "", ""])
             p = Plot(d, left, top, 205, 143, x, y)
             p.picture(data["%s_%d_%d" % (name, k, l)], colours, low, high)
@@ -208,7 +208,7 @@ def levels(folder, name, title, colours, low, high, file, marks):
             if i == 0:
                 d.text(left + 102, 30, "τ = %.2f s" % t, 15, "middle")
         d.text(0, 0, "σ = %.2f" % s, 15, "middle", transform="translate(38 %d) rotate(-90)" % (52 + 158 * i + 72))
-    d.text(100 + 320, 552, "time →, in each picture; height on the cylinder ↑", 13, "middle", GREY)
+    d.text(100 + 320, 552, "in each picture: time (s) →, height on the cylinder ↑", 13, "middle", GREY)
     folder.write(d, file)
 
 
