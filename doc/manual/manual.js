@@ -19,7 +19,7 @@
     let sum = 0;
     for (const word of words) {
       const at = name.indexOf(word);
-      if (at === 0) sum += name.length === word.length ? 0 : 1;
+      if (at === 0) sum += name === word || name === word + "()" ? 0 : 1;
       else if (at > 0) sum += /[\s_]/.test(name[at - 1]) ? 2 : 3;
       else if (scope.includes(word)) sum += 4;
       else return Infinity;
@@ -59,7 +59,7 @@
       const link = document.createElement("a");
       link.href = address;
       const title = document.createElement("b");
-      title.textContent = kind === "function" ? name + "()" : name;
+      title.textContent = name;
       const where = document.createElement("small");
       where.textContent = scope ? kind + " – " + scope : kind;
       link.append(title, where);

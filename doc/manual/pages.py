@@ -20,12 +20,13 @@ def finish(folder, tag_file, pictures):
     texts = {path.name: path.read_text(encoding="utf-8") for path in sorted(folder.glob("*.html"))}
     concepts = {name for name, text in texts.items() if 'class="amf-kind">Concept<' in text}
     figures = number_figures(texts["index.html"])
+    classes = unique_classes(compounds)
     for name, text in texts.items():
         text = with_short_names(with_short_title(without_menus(text), name in concepts))
         text = with_described_pictures(text)
         for anchor, number in figures.items():
             text = text.replace(f">{anchor}</a>", f">Figure {number}</a>")
-        texts[name] = text
+        texts[name] = with_breaks(with_links_of_classes(text, name, classes))
     parts = outline(compounds, texts)
     keep = reachable(texts, parts)
     for name, text in texts.items():
@@ -78,7 +79,7 @@ def with_short_title(text, is_concept):
         kind = "Concept" if is_concept else words.group(2) + (" template" if words.group(3) else "")
         scope, separator, last = name.rpartition("::")
         text = text.replace(title.group(0), '<div class="title">'
-                            f'<span class="amf-scope">{scope}{separator}</span><wbr/>{last} '
+                            f'<span class="amf-scope">{scope}{separator}</span><wbr/>{breakable(last)} '
                             f'<span class="amf-kind">{kind.lower()}</span>{title.group(2)}', 1)
         text = re.sub("<title>[^<]*(?= &ndash;)", f"<title>{last}", text, count=1)
     if is_concept:
@@ -90,16 +91,59 @@ def with_short_title(text, is_concept):
 def with_short_names(text):
     """Declarations without the namespace of the package, and without the class on whose page they are."""
     title = re.search(r'<span class="amf-scope">([^<]*)</span><wbr/>(\S+)', text)
-    own = re.compile(r"\b%s(</a>)?\s*(?:&lt;[^:]*&gt;)?::" % re.escape("".join(title.groups()))) if title else None
+    scope = re.escape("".join(title.groups()).replace("<wbr/>", "")) if title else None
+    own = re.compile(rf"\b{scope}(</a>)?\s*(?:&lt;[^:]*&gt;)?::") if title else None
 
     def shortened(cell):
         if own:
             cell = re.sub(r'<a class="el"[^>]*></a>', "", own.sub(r"\1", cell))
-        return re.sub(r"\bCGAL::Animated_mesh_features::", "", cell)
+        cell = re.sub(r"\bCGAL::Animated_mesh_features::", "", cell)
+        # the parameters of a template are on its own page
+        return re.sub(r'(<a class="el" href="(?:class|struct)[^>]*>[\w:]+)&lt;[^<]*&gt;</a>', r"\1</a>", cell)
 
     text = re.sub(r'<td class="(?:memname|memItemRight|memTemplItemRight|memItemLeft|memTemplItemLeft|paramtype)".*?</td>',
                   lambda cell: shortened(cell.group(0)), text, flags=re.DOTALL)
+    # of constructors, which have no type
+    text = re.sub(r'(<td class="mem(?:Templ)?ItemLeft"[^>]*>(?:<a id="[^>]*></a>\s*)?)&#160;</td>', r"\1</td>", text)
     return text.replace("operator()()</h2>", "operator()</h2>")
+
+
+def unique_classes(compounds):
+    """Pages of classes and structs, by all names that only one of them has: `Scene` and `IO::Scene`."""
+    found = {}
+    for name, compound in compounds.items():
+        if compound.get("kind") in ("class", "struct"):
+            parts = name.split("::")
+            for first in range(len(parts)):
+                found.setdefault("::".join(parts[first:]), set()).add(file_of(compound))
+    return {name: files.pop() for name, files in found.items() if len(files) == 1}
+
+
+def with_links_of_classes(text, page, classes):
+    """Classes that are named in running text without their namespace, of which doxygen makes links of functions only."""
+
+    def linked(code):
+        target = classes.get(code.group(1))
+        if target is None or target == page:
+            return code.group(0)
+        return f'<code><a class="el" href="{target}">{code.group(1)}</a></code>'
+
+    return re.sub(r"<code>([A-Z]\w*(?:::\w+)*)</code>", linked, text)
+
+
+def breakable(name):
+    """A name that may be continued on the next line behind any of its words."""
+    return re.sub(r"(_|::)(?=\w)", r"\1<wbr/>", name)
+
+
+def with_breaks(text):
+    """Names in running text and in tables."""
+
+    def broken(part):
+        return re.sub(r"(?<=>)[^<>]+(?=<)", lambda words: breakable(words.group(0)), part.group(0))
+
+    text = re.sub(r"<code>.*?</code>", broken, text, flags=re.DOTALL)
+    return re.sub(r'<td class="(?:paramname|fieldname)".*?</td>', broken, text, flags=re.DOTALL)
 
 
 # ------------------------------------------------------------------------------------------------------------- navigation
@@ -130,7 +174,11 @@ def outline(compounds, texts):
         else:
             manual[-1][2].append(entry)
     examples = sorted(name for name in texts if name.endswith("-example.html"))
-    result = [("User manual", "index.html", manual), group_outline(compounds, REFERENCE, "Reference manual")]
+    reference = compounds[REFERENCE]
+    order = {target: rank for rank, target in
+             reversed(list(enumerate(re.findall(r'href="([^"]*)"', texts[file_of(reference)]))))}
+    result = [("User manual", "index.html", manual),
+              ("Reference manual", file_of(reference), group_outline(compounds, reference, order)[2])]
     if examples:
         result.append(("Examples", examples[0],
                        [(plain_title(texts[name]).rpartition("/")[2], name, []) for name in examples]))
@@ -139,17 +187,17 @@ def outline(compounds, texts):
     return result
 
 
-def group_outline(compounds, name, title=None):
-    group = compounds[name]
-    children = [group_outline(compounds, subgroup.text) for subgroup in group.findall("subgroup")]
-    for entry in group.findall("class"):
-        children.append((short_name(entry.text), file_of(compounds[entry.text]), []))
+def group_outline(compounds, group, order):
+    """A group: first what is in it, in the order in which the reference page lists it, then smaller groups."""
+    children = [(short_name(entry.text), file_of(compounds[entry.text]), []) for entry in group.findall("class")]
     functions = {}
     for member in group.findall("member"):
         if member.get("kind") == "function":
             functions.setdefault(short_name(member.findtext("name")) + "()", address(member))
     children += [(function, target, []) for function, target in functions.items()]
-    return (title or group.findtext("title"), file_of(group), children)
+    children.sort(key=lambda child: order.get(child[1], len(order)))
+    children += [group_outline(compounds, compounds[subgroup.text], order) for subgroup in group.findall("subgroup")]
+    return (group.findtext("title"), file_of(group), children)
 
 
 def address(member):
@@ -194,7 +242,7 @@ def nav_list(parts, page):
     items = []
     for title, target, children in parts:
         is_here = target == page
-        link = f'<a href="{target}"' + (' aria-current="page"' if is_here else "") + f">{html.escape(title)}</a>"
+        link = f'<a href="{target}"' + (' aria-current="page"' if is_here else "") + f">{breakable(html.escape(title))}</a>"
         if children:
             is_open = is_here or any(each.split("#")[0] == page for each in targets(children))
             items.append(f'<li><details{" open" if is_open else ""}><summary>{link}</summary>'
@@ -210,24 +258,26 @@ def nav_list(parts, page):
 def search_index(compounds, concepts, texts):
     """Rows of name, scope, kind, address."""
     rows = {}
+
+    def add(name, scope, kind, target):
+        rows.setdefault((name, scope.replace("CGAL::Animated_mesh_features::", ""), kind), target)
+
     for name, compound in compounds.items():
         kind = compound.get("kind")
         if kind in ("class", "struct"):
-            scope = name.rpartition("::")[0]
             target = file_of(compound)
-            rows[(short_name(name), scope, "concept" if target in concepts else kind, target)] = None
+            add(short_name(name), name.rpartition("::")[0], "concept" if target in concepts else kind, target)
         elif kind == "group":
-            rows[(compound.findtext("title"), "", "module", file_of(compound))] = None
-        if kind in ("class", "struct", "group", "namespace"):
+            add(compound.findtext("title"), "", "module", file_of(compound))
+        if kind in ("class", "struct", "group"):
             for member in compound.findall("member"):
-                scope, _, last = member.findtext("name").rpartition("::")
-                if kind != "group":
-                    scope = name
-                rows[(last, scope, member.get("kind"), address(member))] = None
+                suffix = "()" if member.get("kind") == "function" else ""
+                add(short_name(member.findtext("name")) + suffix, compound.findtext("title") or name,
+                    member.get("kind"), address(member))
     for page, title in (("index.html", "User manual"), ("citelist.html", "References")):
         if page in texts:
-            rows[(title, "", "page", page)] = None
-    for level, anchor, title in re.findall(r'<h([1-3])><a class="anchor" id="([^"]*)"></a>\s*(.*?)</h\1>',
-                                           texts["index.html"], re.DOTALL):
-        rows[(plain(title), "User manual", "section", f"index.html#{anchor}")] = None
-    return sorted(rows, key=lambda row: (row[0].lower(), row))
+            add(title, "", "page", page)
+    for _, anchor, title in re.findall(r'<h([1-3])><a class="anchor" id="([^"]*)"></a>\s*(.*?)</h\1>',
+                                       texts["index.html"], re.DOTALL):
+        add(plain(title), "User manual", "section", f"index.html#{anchor}")
+    return sorted(((*row, target) for row, target in rows.items()), key=lambda row: (row[0].lower(), row))
