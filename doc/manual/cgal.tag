@@ -1,4 +1,5 @@
 <?xml version='1.0' encoding='UTF-8' standalone='yes' ?>
+<!-- The few pages of CGAL's own manual to which this one leads. -->
 <tagfile doxygen_version="1.9.4">
   <compound kind="page">
     <name>packages</name>
@@ -14,5 +15,21 @@
     <title>License</title>
     <filename>Manual/license</filename>
     <docanchor file="Manual/license.html" title="GPL">licensesGPL</docanchor>
+  </compound>
+  <compound kind="class">
+    <name>FaceGraph</name>
+    <filename>BGL/classFaceGraph.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>FaceListGraph</name>
+    <filename>BGL/classFaceListGraph.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>VertexListGraph</name>
+    <filename>BGL/classVertexListGraph.html</filename>
+  </compound>
+  <compound kind="class">
+    <name>EdgeListGraph</name>
+    <filename>BGL/classEdgeListGraph.html</filename>
   </compound>
 </tagfile>

@@ -25,8 +25,8 @@ in a distinctive way.
 From the positions follow the strain of the triangles and the change of curvature over geodesic balls, both with respect
 to the rest shape; together they are a deformation for each vertex and frame. Smoothed over the surface and over time by
 Gaussians of many widths, it becomes a scale space, of which the scale-normalised difference of Gaussians has a minimum
-wherever something of just that size and duration happens. The method starts from Mykhalchuk, Seo and Cordier, *On
-spatio-temporal feature point detection for animated meshes*, The Visual Computer, 2014.
+wherever something of just that size and duration happens. The method starts from that of
+Mykhalchuk, Seo and Cordier \cgalCite{mykhalchuk2014}.
 
 \tparam ConcurrencyTag `CGAL::Parallel_if_available_tag` (with oneTBB) or `CGAL::Sequential_tag`. The result is the
 same, bit for bit.
@@ -46,7 +46,10 @@ same, bit for bit.
 \throw Animated_mesh_features::Numerical_error if a factorisation fails;
 \throw Animated_mesh_features::Cancelled if the visitor asked for it. In each case nothing has been written to `out`.
 
-\sa `Animated_mesh_features::Feature_detector` for repeated use.
+Linear in `N F` times the number of pairs of levels, plus the geodesic balls and the spatial filter; see
+`Animated_mesh_features::Feature_detector`, which is for repeated use.
+
+\sa `Animated_mesh_features::Feature_detector`
 */
 template <class ConcurrencyTag = Parallel_if_available_tag,
           class Animation,

@@ -28,12 +28,10 @@ The shape that an animation deforms about: the surface whose edge lengths and di
 surface can have them, the averages over all frames (arithmetic means of lengths, circular means of angles).
 
 A mean of positions would not do: where a part turns, it shrinks towards the axis. Lengths and angles do not change
-under rotation, and they determine the surface up to a rigid motion (Y. Lipman et al., Linear rotation-invariant
-coordinates for meshes, ACM Trans. Graph. 24(3), 2005); S. Froehlich and M. Botsch, Example-driven deformations based on
-discrete shells, Computer Graphics Forum 30(8), 2011, blend shapes by them. The surface is rebuilt as in Y. Wang, B. Liu
-and Y. Tong, Linear surface reconstruction from discrete fundamental forms on triangle meshes, Computer Graphics Forum
-31(8), 2012: one frame for each triangle from a sparse linear system, then positions from another. As averages need not
-belong to any surface, rounds of local and global steps follow until angles and lengths are in balance.
+under rotation, and they determine the surface up to a rigid motion \cgalCite{lipman2005}; Froehlich and Botsch blend
+shapes by them \cgalCite{froehlich2011}. The surface is rebuilt as by Wang, Liu and Tong \cgalCite{wang2012}: one frame
+for each triangle from a sparse linear system, then positions from another. As averages need not belong to any surface,
+rounds of local and global steps follow until angles and lengths are in balance.
 
 Each connected component is rebuilt on its own, starting from the frame of the animation in which it is closest to the
 averages, and is moved rigidly to where it fits its first frame best. An isolated vertex is put to its mean position. A
@@ -41,6 +39,8 @@ triangle of zero height, or one that collapses in some frame, continues its neig
 
 If all frames are the same surface up to rigid motions, the result is that surface to rounding (some `1e-11` of its
 size); surfaces that are the same but for a bend to either side give the straight one.
+
+Called by `Frame_sequence::set_rest_average()`.
 
 \param animation connectivity and frames; the points of `animation.rest` are not used.
 \returns a point for each vertex, in the mesh's unit of length. It depends on frames and connectivity only, bit for bit:

@@ -29,9 +29,9 @@ enum class Ball_membership
 
 Models of `CurvatureMeasure`: quotients of two sums over the edges and triangles of a geodesic ball.
 \f[ \kappa = c\, \frac{\sum_e w_e\, p(\beta_e, |e|)}{\sum_e w_e\, q(\beta_e, |e|) + \sum_t w_t\, g(A_t)} , \f]
-\f$\beta_e\f$ is the signed dihedral angle of an edge (radians; \f$\pi\f$ minus the interior angle, positive where the surface is
-convex), lengths and areas are those of the frame, weights \f$w\f$ go by `membership`. `p`, `q` and `g` take Eigen arrays, with
-one entry for each of several frames.
+\f$\beta_e\f$ is the signed dihedral angle of an edge (radians; \f$\pi\f$ minus the interior angle, positive where the
+surface is convex), lengths and areas are those of the frame, weights \f$w\f$ go by `membership`. `p`, `q` and `g` take
+Eigen arrays, with one entry for each of several frames.
 */
 
 /*!
@@ -83,8 +83,8 @@ struct Mean_curvature_density
 /*!
 \ingroup PkgAnimatedMeshFeaturesCurvatureMeasures
 
-The mean of the dihedral angles (radians) of the edges in the ball, as Mykhalchuk, Seo and Cordier (2014) have it.
-It does not depend on the unit, but halves with every refinement of the mesh.
+The mean of the dihedral angles (radians) of the edges in the ball, as Mykhalchuk, Seo and Cordier
+\cgalCite{mykhalchuk2014} have it. It does not depend on the unit, but halves with every refinement of the mesh.
 
 \cgalModels{CurvatureMeasure}
 */

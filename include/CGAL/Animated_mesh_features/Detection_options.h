@@ -55,8 +55,8 @@ Everything that a detection can be told: a policy for each step, and numbers. Th
 returns the defaults, `published_options()` the paper's choices; `with_...()` returns the same options with one policy
 replaced by another, which may be of the user's own class.
 
-The defaults of the numbers are those of both presets, but for `triangle_weights`, which is `Triangle_weights::UNIFORM` in
-`published_options()`, and `Feature_selection::suppress_non_maxima`, which is `false` there.
+The defaults of the numbers are those of both presets, but for `triangle_weights`, which is `Triangle_weights::UNIFORM`
+in `published_options()`, and `Feature_selection::suppress_non_maxima`, which is `false` there.
 
 \tparam StrainMeasure_ a model of `StrainMeasure`.
 \tparam CurvatureMeasure_ a model of `CurvatureMeasure`.
@@ -229,9 +229,9 @@ inline Calibrated_options calibrated_options() { return Calibrated_options(); }
 /*!
 \ingroup PkgAnimatedMeshFeaturesDetection
 
-The method in the words of Mykhalchuk, Seo and Cordier (2014), for comparison: largest eigenvalue of the Cauchy-Green
-tensor, plain mean over triangles, mean of dihedral angles, every smoothing count of one-ring averages and box averages,
-forward differences, no suppression. Lengths in Eq. (7) need a unit, see `Every_smoothing_count`.
+The method in the words of Mykhalchuk, Seo and Cordier \cgalCite{mykhalchuk2014}, for comparison: largest eigenvalue of
+the Cauchy-Green tensor, plain mean over triangles, mean of dihedral angles, every smoothing count of one-ring averages
+and box averages, forward differences, no suppression. Lengths in Eq. (7) need a unit, see `Every_smoothing_count`.
 
 \param box_width width of the temporal box in frames; the paper's Table 1 has 5 to 20, for a sixth to a tenth of the
 frames.

@@ -74,7 +74,7 @@ private:
 /*!
 \ingroup PkgAnimatedMeshFeaturesResponses
 
-The paper's forward differences of smoothing counts,
+The forward differences of smoothing counts of the paper \cgalCite{mykhalchuk2014},
 \f$D = \sigma^2\tau^{1/2} (L_{k+1,l} - L_{k,l}) + \sigma\tau^{3/2} (L_{k,l+1} - L_{k,l})\f$, in the units of the
 sampling.
 

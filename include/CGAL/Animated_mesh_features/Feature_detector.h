@@ -57,8 +57,8 @@ public:
   typedef typename Access::Sequence::vertex_descriptor vertex_descriptor; ///< of the animation's mesh
   typedef Spatio_temporal_feature<vertex_descriptor> Feature;             ///< what is found
 
-  /// a `Frame_sequence` is used as it is; the positions of another model are read once, into a `Frame_sequence`, which takes
-  /// `O(N F)` time and memory.
+  /// a `Frame_sequence` is used as it is; the positions of another model are read once, into a `Frame_sequence`, which
+  /// takes `O(N F)` time and memory.
   /// \throw Input_error see `Frame_sequence`.
   explicit Feature_detector(const Animation& animation, Options options = Options())
     : m_access(animation)

@@ -29,8 +29,9 @@ namespace Animated_mesh_features {
 Smoothing in time by the discrete Gaussian with reflecting ends; a model of `TemporalFilter`, the default.
 
 The semigroup of the discrete heat equation: in the basis of the DCT-II, which continues a row by its mirror image, the
-factors are \f$e^{u(\cos(\pi j/F) - 1)}\f$ for the variance u in squared frames (Lindeberg 1990). Variances add exactly,
-the mean is kept exactly, and no new extrema appear, whatever the step. A level costs F times the width of its kernel.
+factors are \f$e^{u(\cos(\pi j/F) - 1)}\f$ for the variance u in squared frames \cgalCite{lindeberg1990}. Variances add
+exactly, the mean is kept exactly, and no new extrema appear, whatever the step. A level costs F times the width of its
+kernel.
 
 \cgalModels{TemporalFilter}
 */

@@ -29,8 +29,8 @@ namespace Animated_mesh_features {
 Smoothing by heat diffusion on the rest shape; a model of `SpatialFilter`, the default.
 
 The heat equation with the cotangent Laplacian \f$L_c\f$ and lumped masses M, stepped from level to level by the
-second-order L-stable scheme SDIRK2: with \f$\gamma = 1 - 1/\sqrt2\f$, \f$t = (s_k - s_{k-1})/2\f$ and
-\f$B = (M + \gamma t L_c)^{-1} M\f$,
+second-order L-stable scheme SDIRK2 \cgalCite{alexander1977}: with \f$\gamma = 1 - 1/\sqrt2\f$,
+\f$t = (s_k - s_{k-1})/2\f$ and \f$B = (M + \gamma t L_c)^{-1} M\f$,
 \f[ L_k = (1+\sqrt2)\, B^2 L_{k-1} - \sqrt2\, B\, L_{k-1} . \f]
 Its scale does not depend on the sampling of the surface. (Backward Euler has the exact variance, too, but its peak
 decays differently, which biases detected scales by +11 %.)

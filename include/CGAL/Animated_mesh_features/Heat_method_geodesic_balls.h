@@ -24,8 +24,8 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesBalls
 
-Geodesic balls by the heat method (Crane, Weischedel, Wardetzky: <em>Geodesics in Heat</em>, 2013) on local patches; a
-model of `GeodesicBalls`, the default.
+Geodesic balls by the heat method of Crane, Weischedel and Wardetzky \cgalCite{crane2013} on local patches; a model of
+`GeodesicBalls`, the default.
 
 Vertices are grouped in clusters of neighbours. The two matrices of the method are factored once on the patch that
 reaches one radius and `patch_margin` mean edge lengths beyond a cluster, and solved for the vertices of the cluster,

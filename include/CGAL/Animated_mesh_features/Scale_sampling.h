@@ -124,7 +124,8 @@ private:
 /*!
 \ingroup PkgAnimatedMeshFeaturesScaleSpace
 
-Every smoothing count, with the paper's names for the scales; a model of `ScaleSampling`.
+Every smoothing count, with the names that the paper \cgalCite{mykhalchuk2014} gives the scales; a model of
+`ScaleSampling`.
 
 Level (k, l) is k passes of the spatial and l passes of the temporal filter, for all k up to
 \f$K = \lfloor 6\, r_s^2/h^2 \rfloor\f$ and l up to \f$L = \lfloor 6\, r_t^2/w^2 \rfloor\f$ (Eqs. 9 and 10), where

@@ -138,8 +138,8 @@ struct Principal_stretch_strain
 \ingroup PkgAnimatedMeshFeaturesStrainMeasures
 
 The largest eigenvalue of the right Cauchy-Green tensor of the prism of unit height over the triangle,
-\f$\max(\lambda_1, 1)\f$, as Mykhalchuk, Seo and Cordier (2014) have it: 1 at rest, 4 at a stretch by 2, blind to
-compression.
+\f$\max(\lambda_1, 1)\f$, as Mykhalchuk, Seo and Cordier \cgalCite{mykhalchuk2014} have it: 1 at rest, 4 at a stretch by
+2, blind to compression.
 
 \cgalModels{StrainMeasure}
 */

@@ -16,7 +16,7 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesMeasures
 
-The paper's weight \f$\alpha\f$ of the change of curvature against strain.
+The weight \f$\alpha\f$ of the change of curvature against strain, as in the paper \cgalCite{mykhalchuk2014}.
 */
 constexpr double default_curvature_weight = 7;
 
