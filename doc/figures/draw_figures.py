@@ -308,6 +308,32 @@ def varying_density(folder):
     folder.write(d, "varying_density.svg")
 
 
+def bands(folder):
+    data = folder.json("bands.json")
+    widths = data["widths"]
+    d = Drawing(760, 330, "Scales that are found of bands around a tube")
+    p = Plot(d, 70, 30, 400, 240, Axis(0.08, 0.7, widths, True), Axis(0.08, 1.5, [0.1, 0.2, 0.4, 0.8], True),
+             "width of the band: standard deviation along the tube", "σ found")
+    ends = [0.08, 0.7]
+    p.curve(ends, ends, INK, 1.2, stroke_dasharray="3 4")
+    pairs = [(w, f[0], f[1]) for w, f in zip(widths, data["found"]) if f]
+    p.curve([w for w, _, _ in pairs], [s for _, s, _ in pairs], BLUE)
+    for w, s, limited in pairs:
+        p.dots([w], [s], RED if limited else BLUE, 4.5, "#ffffff" if limited else None)
+        p.label(w, s, "%.2f" % (s / w), GREY, "middle", dy=-11)
+    p.curve([data["radius"]] * 2, [0.08, 1.5], GREY, 1.2)
+    p.label(data["radius"], 0.08, "radius of the tube", GREY, "end", dx=-6, dy=-8)
+    p.frame()
+    d.line([(500, 62), (526, 62)], BLUE, 2.2)
+    d.text(534, 67, "σ of the feature; above it,", 13)
+    d.text(534, 84, "its ratio to the width", 13)
+    d.add("circle", cx=513.0, cy=107.0, r=4.5, fill="#ffffff", stroke=RED, stroke_width=1.8)
+    d.text(534, 112, "at the limit of the scales", 13)
+    d.line([(500, 134), (526, 134)], INK, 1.2, stroke_dasharray="3 4")
+    d.text(534, 139, "the width itself", 13)
+    folder.write(d, "bands.svg")
+
+
 def noise(folder):
     data = folder.json("noise.json")
     d = Drawing(760, 330, "Strengths of known features and of those that noise makes")
@@ -374,7 +400,7 @@ def main():
     folder = Folder(*sys.argv[1:])
     design(os.path.join(folder.figures, "design.svg"))
     for draw in [anatomy, gaussians_in_time, blob, cylinder_map, scale_space, time_clock, strain_measures, refinement,
-                 varying_density, noise, scales_of_features]:
+                 varying_density, bands, noise, scales_of_features]:
         draw(folder)
     pictures(folder, "choices.svg", "The running figure with other parameters",
              [("default.png", "default"), ("threshold.png", "--threshold 0.5"), ("alpha.png", "--alpha 0"),

@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Numbers for the manual's figures on measures and on what can go wrong: strain measures, curvature under refinement, a
-// mesh of varying density, noise.
+// mesh of varying density, bands around a tube, noise.
 //
 // measure_data FOLDER
 
@@ -196,6 +196,38 @@ void varying_density(const std::string& path)
   json.add("edges", edges);
 }
 
+// Bands around a cylinder: all that a tube lets an event be, once it is wider than the tube.
+void bands(const std::string& path)
+{
+  Animated_mesh_generators::Bending_cylinder_options shape;
+  shape.number_of_frames = 48;
+  const auto generated = Animated_mesh_generators::bending_cylinder(shape);
+  const Frame_sequence animation = at_rest(generated.mesh, 48, 1. / 30);
+  const std::vector<double> widths = {0.1, 0.14, 0.2, 0.28, 0.4, 0.56};
+  Rows found;
+  for (double width : widths) {
+    AMF::Spatio_temporal_field<double> field(animation.number_of_vertices(), animation.number_of_frames());
+    for (std::size_t v = 0; v < field.number_of_rows(); ++v)
+      for (std::size_t f = 0; f < field.number_of_frames(); ++f) {
+        const double z = (generated.mesh.point(Mesh::Vertex_index(unsigned(v))).z() - shape.height / 2) / width;
+        const double t = (double(f) * animation.frame_duration() - 0.8) / 0.12;
+        // a little stronger on one side: a field that is constant around has no strict minimum
+        const double side = 1 + 0.01 * generated.mesh.point(Mesh::Vertex_index(unsigned(v))).x() / shape.radius;
+        field(v, f) = side * std::exp(-(z * z + t * t) / 2);
+      }
+    AMF::Feature_detector<Frame_sequence> detector(animation);
+    detector.set_deformation(field);
+    std::vector<AMF::Feature_detector<Frame_sequence>::Feature> features;
+    detector(std::back_inserter(features));
+    found.emplace_back();
+    for (const auto& f : features) found.back().insert(found.back().end(), {f.sigma, double(f.at_scale_limit)});
+  }
+  Json_file json(path);
+  json.add("radius", shape.radius);
+  json.add("widths", widths);
+  json.add("found", found);
+}
+
 // The bending cylinder, whose four features are known, with noise on each coordinate of each frame.
 void noise(const std::string& path)
 {
@@ -249,6 +281,7 @@ int main(int argc, char* argv[])
     strain_measures(folder + "strain_measures.json");
     curvature_under_refinement(folder + "refinement.json");
     varying_density(folder + "varying_density.json");
+    bands(folder + "bands.json");
     noise(folder + "noise.json");
     return 0;
   } catch (const std::exception& e) {
