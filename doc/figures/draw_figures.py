@@ -40,9 +40,9 @@ class Folder:
         return colour_map([tuple(c) for c in self.json("colours.json")["field"]])
 
 
-# The response: below 0, where features are, teal; above, sand.
-RESPONSE_COLOURS = colour_map([(8, 64, 82), (40, 128, 142), (150, 203, 203), (255, 255, 255), (238, 214, 175),
-                               (201, 160, 98), (140, 98, 44)])
+# The response: below 0, where features are, brown; above, a bluish grey. Not the colours of fields.
+RESPONSE_COLOURS = colour_map([(92, 42, 6), (186, 100, 28), (240, 200, 150), (255, 255, 255), (208, 214, 225),
+                               (152, 164, 186), (96, 112, 140)])
 
 
 def gaussian(x, middle, width):
@@ -133,7 +133,7 @@ def blob(folder):
     p.picture(values, lambda t: RESPONSE_COLOURS((t - 1) / 2 + 0.5), low, 0)
     p.cross(data["duration"], data["size"], "#ffffff", 6)
     for s, t, _ in data["found"]:
-        p.dots([t], [s], "#ffd166", 11, "none")
+        p.dots([t], [s], "#8fd3ff", 11, "none")
     p.frame()
     d.image(70, 382, 290, 9, png([[RESPONSE_COLOURS((i / 99 - 1) / 2 + 0.5) for i in range(100)]]))
     d.text(66, 391, "%.2f" % low, 12, "end", GREY)
@@ -171,8 +171,8 @@ def cylinder_map(folder):
         p.ellipse(time, height, tau, sigma, INK, 1.6, stroke_dasharray="4 3")
     for x, height, time, sigma, tau, _ in data["found"]:
         if x > 0:
-            p.dots([time], [height], BLUE, 4, "#ffffff")
-            p.ellipse(time, height, tau, sigma, BLUE, 2.2)
+            p.dots([time], [height], RED, 4, "#ffffff")
+            p.ellipse(time, height, tau, sigma, RED, 2.2)
     p.frame()
     d.image(590, 100, 14, 240, png([[colours(1 - i / 99)] for i in range(100)]))
     for value in [0, most / 2, most]:
@@ -180,7 +180,7 @@ def cylinder_map(folder):
     d.text(590, 62, "deformation", 13)
     d.line([(600, 366), (630, 366)], INK, 1.6, stroke_dasharray="4 3")
     d.text(638, 371, "known: ± σ, τ", 13)
-    d.line([(600, 388), (630, 388)], BLUE, 2.2)
+    d.line([(600, 388), (630, 388)], RED, 2.2)
     d.text(638, 393, "found: ± σ, τ", 13)
     folder.write(d, "bending_cylinder_map.svg")
 
@@ -203,7 +203,7 @@ def levels(folder, name, title, colours, low, high, file, marks):
                     nearest_sigma = min(range(3), key=lambda j: abs(math.log(sigma[j] / found_sigma)))
                     nearest_tau = min(range(3), key=lambda j: abs(math.log(tau[j] / found_tau)))
                     if side > 0 and (nearest_sigma, nearest_tau) == (k, l):
-                        p.dots([time], [height], RED, 9, "none")
+                        p.dots([time], [height], BLUE, 9, "none")
             p.frame()
             if i == 0:
                 d.text(left + 102, 30, "τ = %.2f s" % t, 15, "middle")
