@@ -156,15 +156,23 @@ def blob(folder):
     folder.write(d, "response_of_a_blob.svg")
 
 
+def axes_of_map(data, times, heights, last_row=True, first_column=True):
+    """Of time and height; each sample is in the middle of its pixel."""
+    step, frames, rows = data["step"], len(data["deformation"][0]), len(data["height"])
+    half = (data["height"][-1] - data["height"][0]) / (rows - 1) / 2
+    return (Axis(-step / 2, (frames - 0.5) * step, times, labels=None if last_row else [""] * len(times)),
+            Axis(data["height"][0] - half, data["height"][-1] + half, heights,
+                 labels=None if first_column else [""] * len(heights)))
+
+
 def cylinder_map(folder):
     """Where and when the bending cylinder is deformed, what is known of that, and what is found."""
     data = folder.json("cylinder.json")
-    times = len(data["deformation"][0]) * data["step"]
     d = Drawing(760, 400, "Deformation of the bending cylinder over time and height, with known and found features")
     most = max(max(row) for row in data["deformation"])
     colours = folder.field_colours()
-    p = Plot(d, 62, 40, 500, 300, Axis(0, times, [0, 0.5, 1, 1.5, 2]), Axis(0, 7, [0, 1, 2, 3, 4, 5, 6, 7]), "time (s)",
-             "height on the cylinder", "deformation along one side")
+    x, y = axes_of_map(data, [0, 0.5, 1, 1.5], [0, 1, 2, 3, 4, 5, 6, 7])
+    p = Plot(d, 62, 40, 500, 300, x, y, "time (s)", "height on the cylinder", "deformation along one side")
     p.picture(data["deformation"], colours, 0, most)
     for _, height, time, sigma, tau in data["known"]:
         p.cross(time, height, INK, 6)
@@ -188,14 +196,12 @@ def cylinder_map(folder):
 def levels(folder, name, title, colours, low, high, file, marks):
     data = folder.json("cylinder.json")
     sigma, tau = data["sigma"], data["tau"]
-    times = len(data["deformation"][0]) * data["step"]
     d = Drawing(760, 560, title)
     for i, s in enumerate(reversed(sigma)):
         k = len(sigma) - 1 - i
         for l, t in enumerate(tau):
             left, top = 100 + 220 * l, 52 + 158 * i
-            x = Axis(0, times, [0, 1, 2], labels=["0", "1", "2"] if i == 2 else ["", "", ""])
-            y = Axis(0, 7, [0, 3, 5.2], labels=["0", "3", "5.2"] if l == 0 else ["", "", ""])
+            x, y = axes_of_map(data, [0, 0.5, 1, 1.5], [0, 3, 5.2], i == 2, l == 0)
             p = Plot(d, left, top, 205, 143, x, y)
             p.picture(data["%s_%d_%d" % (name, k, l)], colours, low, high)
             if marks:
