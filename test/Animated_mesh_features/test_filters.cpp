@@ -12,6 +12,10 @@
 #include <CGAL/Animated_mesh_features/Gaussian_temporal_filter.h>
 #include <CGAL/Animated_mesh_features/Heat_diffusion_filter.h>
 #include <CGAL/Animated_mesh_features/One_ring_average_filter.h>
+#include <CGAL/Animated_mesh_features/internal/Lanes.h>
+#include <CGAL/Animated_mesh_features/internal/Level_chains.h>
+#include <CGAL/Animated_mesh_features/internal/Window_sum.h>
+#include <CGAL/Animated_mesh_features/internal/run_vectorized.h>
 #include <CGAL/Animated_mesh_features/internal/parallel_for.h>
 
 #include <boost/math/special_functions/bessel.hpp>
@@ -183,6 +187,85 @@ void test_box_ends()
   usual.initialize(9, clock_tick, {usual.unit_variance(9, clock_tick)});
   reflecting.initialize(9, clock_tick, {usual.unit_variance(9, clock_tick)});
   CHECK(smoothed(usual, 1, row) == smoothed(reflecting, 1, row));
+}
+
+// Rows as pairs of lanes, smoothed with the instructions of a set.
+struct Pair_kernel
+{
+  const Amf::Box_temporal_filter& filter;
+  const std::vector<Row>& rows; // 32 of them
+  std::vector<Row> smoothed;
+
+  template <std::size_t bytes>
+  void run()
+  {
+    typedef Amf::internal::Lanes<float, 16, bytes> L;
+    const std::size_t n = rows.front().size();
+    std::vector<Amf::internal::Lane_pair<L>> in(n), out(n);
+    for (std::size_t f = 0; f < n; ++f) {
+      float p[16], q[16];
+      for (std::size_t i = 0; i < 16; ++i) {
+        p[i] = float(rows[i][f]);
+        q[i] = float(rows[16 + i][f]);
+      }
+      in[f] = {L::load(p), L::load(q)};
+    }
+    filter(1, in.data(), out.data());
+    smoothed.assign(32, Row(n));
+    for (std::size_t f = 0; f < n; ++f) {
+      float p[16], q[16];
+      out[f].p.store(p);
+      out[f].q.store(q);
+      for (std::size_t i = 0; i < 16; ++i) {
+        smoothed[i][f] = p[i];
+        smoothed[16 + i][f] = q[i];
+      }
+    }
+  }
+};
+
+// What is computed for many rows at once, in single precision, against one row at a time.
+void test_box_lanes()
+{
+  Random random(33);
+  const double largest = 3; // of a random row
+  using Amf::internal::Instruction_set;
+  for (Instruction_set set : {Instruction_set::BASELINE, Instruction_set::AVX2, Instruction_set::AVX512}) {
+    if (set > Amf::internal::widest_instruction_set()) break;
+    for (std::size_t n : {3, 4, 7, 20, 49})
+      for (std::size_t w = 2; w <= 14; ++w)
+        for (const Amf::Row_ends ends : {Amf::Row_ends::REFLECT, Amf::Row_ends::REPLICATE, Amf::Row_ends::TRUNCATE}) {
+          Amf::Box_temporal_filter filter(w, ends);
+          const double unit = filter.unit_variance(n, clock_tick);
+          filter.initialize(n, clock_tick, {unit, 4 * unit}); // three passes from level to level
+          std::vector<Row> rows;
+          for (std::size_t i = 0; i < 32; ++i) rows.push_back(random_row(n, random));
+          Pair_kernel kernel = {filter, rows, {}};
+          Amf::internal::run_vectorized<float>(set, kernel);
+          double difference = 0;
+          for (std::size_t i = 0; i < 32; ++i) {
+            Row expected(n);
+            filter(1, rows[i].data(), expected.data());
+            difference = (std::max)(difference, largest_difference(kernel.smoothed[i], expected));
+          }
+          CHECK(difference < largest * Amf::internal::smoothing_error<float>()); // what the search counts on
+        }
+  }
+}
+
+// Sums of a stream, of numbers small enough to be added without rounding.
+template <std::size_t width>
+void test_window_sum()
+{
+  Random random(34);
+  Amf::internal::Window_sum<double, width> sums(0);
+  Row values;
+  for (std::size_t i = 0; i < 60; ++i) {
+    values.push_back(std::floor(random(-1000, 1000)));
+    double expected = 0;
+    for (std::size_t j = 0; j < (std::min)(width, values.size()); ++j) expected += values[i - j];
+    CHECK(sums.push(values.back()) == expected);
+  }
 }
 
 std::size_t number_of_extrema(const Row& row)
@@ -671,6 +754,14 @@ int main()
 {
   test_box_variances();
   test_box_ends();
+  test_box_lanes();
+  test_window_sum<1>();
+  test_window_sum<2>();
+  test_window_sum<3>();
+  test_window_sum<7>();
+  test_window_sum<10>();
+  test_window_sum<12>();
+  test_window_sum<23>();
   test_gaussian();
   test_temporal_float(Amf::Box_temporal_filter());
   test_temporal_float(Amf::Gaussian_temporal_filter());

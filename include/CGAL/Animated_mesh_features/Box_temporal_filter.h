@@ -7,28 +7,20 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_BOX_TEMPORAL_FILTER_H
 #define CGAL_ANIMATED_MESH_FEATURES_BOX_TEMPORAL_FILTER_H
 
+#include <CGAL/Animated_mesh_features/Row_ends.h>
 #include <CGAL/Animated_mesh_features/internal/Lanes.h>
+#include <CGAL/Animated_mesh_features/internal/Row_extension.h>
+#include <CGAL/Animated_mesh_features/internal/Window_sum.h>
+#include <CGAL/Animated_mesh_features/internal/window_sums.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Animated_mesh_features {
-
-/*!
-\ingroup PkgAnimatedMeshFeaturesFilters
-
-What a box average takes for the frames before the first and behind the last one. (Never zero: the field is not zero
-there, and the false step at the ends makes several times as many spurious extrema as there are true ones.)
-*/
-enum class Row_ends
-{
-  REFLECT,   ///< the mirror image of the row: ... 1 0 | 0 1 2 ...; keeps the mean. The default.
-  REPLICATE, ///< the first and the last value
-  TRUNCATE   ///< nothing: the mean of the frames that exist
-};
 
 /*!
 \ingroup PkgAnimatedMeshFeaturesFilters
@@ -53,8 +45,7 @@ public:
   explicit Box_temporal_filter(std::size_t width = 0, Row_ends ends = Row_ends::REFLECT)
     : m_width(width)
     , m_ends(ends)
-  {
-  }
+  {}
 
   /// passes from level to level with width 0: the fourfold convolution of a box is visually a Gaussian already, and
   /// passes add up over the levels.
@@ -93,6 +84,9 @@ public:
       step.variance = attained;
       m_steps.push_back(step);
     }
+    std::size_t widest = 0;
+    for (const Step& step : m_steps) widest = (std::max)(widest, 2 * step.box.reach + 2);
+    m_extension = internal::Row_extension(number_of_frames, 2 * widest, m_ends);
   }
 
   /// the variance attained at level `l`.
@@ -165,44 +159,69 @@ private:
     typedef typename internal::Scalar_of<T>::type Scalar;
     const std::ptrdiff_t n = std::ptrdiff_t(m_frames), r = std::ptrdiff_t(box.reach);
     const Scalar factor = Scalar(1 / box.total());
+    if constexpr (internal::Is_register_pair<T>::value)
+      if (m_ends != Row_ends::TRUNCATE && average_stream(box, in, out, std::make_index_sequence<stream_widths>()))
+        return;
     if (box.end == 0) {
-      const auto emit = [&](std::ptrdiff_t f, const T& sum) { out[f] = sum * factor; };
-      window_sums(in, -r, n, 2 * r + 1, emit, emit);
+      const auto emit = [=](std::ptrdiff_t f, const T&, const T& sum) { out[f] = sum * factor; };
+      internal::window_sums(m_extension, in, -r, n, 2 * r + 1, emit, emit);
     } else if (box.end == 0.5) {
       // the mean of two boxes of even width, one shifted by a frame
-      T before = in[0];
       const Scalar half = factor * Scalar(0.5);
-      const auto emit = [&](std::ptrdiff_t f, const T& sum) {
-        out[f - 1] = (before + sum) * half;
-        before = sum;
+      const auto emit = [=](std::ptrdiff_t f, const T& before, const T& sum) { out[f - 1] = (before + sum) * half; };
+      const auto emit_first = [=](std::ptrdiff_t f, const T& before, const T& sum) {
+        if (f > 0) emit(f, before, sum);
       };
-      const auto emit_first = [&](std::ptrdiff_t f, const T& sum) {
-        if (f > 0) out[f - 1] = (before + sum) * half;
-        before = sum;
-      };
-      window_sums(in, -r - 1, n + 1, 2 * r + 2, emit_first, emit);
+      internal::window_sums(m_extension, in, -r - 1, n + 1, 2 * r + 2, emit_first, emit);
     } else {
       const Scalar end = Scalar(box.end);
-      const auto emit = [&](std::ptrdiff_t f, const T& sum) {
-        out[f] = (sum + (value(in, f - r - 1) + value(in, f + r + 1)) * end) * factor;
+      const auto emit = [=](std::ptrdiff_t f, const T&, const T& sum) {
+        out[f] = (sum + (m_extension.value(in, f - r - 1) + m_extension.value(in, f + r + 1)) * end) * factor;
       };
-      window_sums(in, -r, n, 2 * r + 1, emit, emit);
+      internal::window_sums(m_extension, in, -r, n, 2 * r + 1, emit, emit);
     }
     if (m_ends == Row_ends::TRUNCATE)
       for (std::ptrdiff_t f = 0; f < n; ++f)
         if (f <= r || f + r + 1 >= n) out[f] = out[f] * Scalar(box.total() / existing(box, f));
   }
 
-  // The value of a frame, which may be one before the first or behind the last.
-  template <class T>
-  T value(const T* in, std::ptrdiff_t f) const
+  // Widths for which sums of a stream are compiled, which makes the average twice as fast where the processor has 32
+  // registers as wide as all lanes; with fewer or narrower ones it would be slower.
+  static constexpr std::size_t first_stream_width = 3, stream_widths = 10;
+
+  // false if the box is none of them
+  template <class T, std::size_t... i>
+  CGAL_ANIMATED_MESH_FEATURES_INLINE bool average_stream(const Box& box, const T* in, T* out,
+                                                         std::index_sequence<i...>) const
   {
-    const std::ptrdiff_t n = std::ptrdiff_t(m_frames);
-    if (f >= 0 && f < n) return in[f];
-    if (m_ends == Row_ends::TRUNCATE) return in[0] * typename internal::Scalar_of<T>::type(0);
-    if (m_ends == Row_ends::REPLICATE) return in[f < 0 ? 0 : n - 1];
-    while (f < 0 || f >= n) f = f < 0 ? -1 - f : 2 * n - 1 - f; // more than once where the box is wider than the row
-    return in[f];
+    const std::size_t width = box.end == 0 ? 2 * box.reach + 1 : box.end == 0.5 ? 2 * box.reach + 2 : 0;
+    return ((width == first_stream_width + i && average_stream<first_stream_width + i>(box, in, out)) || ...);
+  }
+
+  template <std::size_t width, class T>
+  CGAL_ANIMATED_MESH_FEATURES_INLINE bool average_stream(const Box& box, const T* in, T* out) const
+  {
+    typedef internal::Window_sum<T, width> Sum;
+    constexpr bool is_even = width % 2 == 0;
+    constexpr std::size_t lead = is_even ? width : width - 1; // frames that come before the first sum is complete
+    const auto factor = typename internal::Scalar_of<T>::type((is_even ? 0.5 : 1) / box.total());
+    const std::size_t* const sources = m_extension.sources(-std::ptrdiff_t(width / 2));
+    Sum sums(T::all(0));
+    T before = T::all(0);
+    const auto step = [&](std::size_t i) CGAL_ANIMATED_MESH_FEATURES_INLINE_LAMBDA {
+      const T sum = sums.push(in[sources[i]]);
+      // what is not complete is overwritten
+      out[i < lead ? 0 : i - lead] = (is_even ? before + sum : sum) * factor;
+      before = sum;
+    };
+    const std::size_t count = m_frames + lead;
+    std::size_t i = 0;
+    for (; i + Sum::period <= count; i += Sum::period) {
+      CGAL_ANIMATED_MESH_FEATURES_UNROLL
+      for (std::size_t j = 0; j < Sum::period; ++j) step(i + j);
+    }
+    for (; i < count; ++i) step(i);
+    return true;
   }
 
   // The total weight of the frames that exist around frame f.
@@ -213,53 +232,11 @@ private:
     return double(last - first + 1) + (f - r - 1 >= 0 ? box.end : 0) + (f + r + 1 < n ? box.end : 0);
   }
 
-  // emit(i, sum of the `width` frames from first + i on) for each i < count in ascending order; emit_first instead for
-  // i = 0 and every multiple of the width.
-  //
-  // Three additions a sum, whatever the width, and nothing is ever subtracted, so that a sum has the rounding errors of
-  // its own terms only (van Herk, Gil and Werman's scheme for minima): the row is cut into blocks of the width, and a
-  // window is the rest of one block (sums from the right) and the beginning of the next (from the left).
-  template <class T, class Emit_first, class Emit>
-  void window_sums(const T* in, std::ptrdiff_t first, std::ptrdiff_t count, std::ptrdiff_t width,
-                   const Emit_first& emit_first, const Emit& emit) const
-  {
-    // the rests, and two blocks that reach beyond the row
-    static thread_local std::vector<T> buffer;
-    if (std::ptrdiff_t(buffer.size()) < 3 * width) buffer.resize(std::size_t(3 * width));
-    T* const rests = buffer.data();
-    const auto block = [&](std::ptrdiff_t start) -> const T* {
-      const std::ptrdiff_t f = first + start;
-      if (f >= 0 && f + width <= std::ptrdiff_t(m_frames)) return in + f;
-      T* const copy = rests + (start / width % 2 == 0 ? width : 2 * width);
-      for (std::ptrdiff_t i = 0; i < width; ++i) copy[i] = value(in, f + i);
-      return copy;
-    };
-    const T* now = block(0);
-    for (std::ptrdiff_t start = 0; start < count; start += width) {
-      T rest = now[width - 1];
-      rests[width - 1] = rest;
-      for (std::ptrdiff_t i = width - 2; i >= 0; --i) {
-        rest = rest + now[i];
-        rests[i] = rest;
-      }
-      emit_first(start, rest);
-      const std::ptrdiff_t end = (std::min)(width, count - start);
-      if (start + 1 >= count) break;
-      now = block(start + width);
-      if (end < 2) continue;
-      T beginning = now[0];
-      emit(start + 1, rests[1] + beginning);
-      for (std::ptrdiff_t i = 2; i < end; ++i) {
-        beginning = beginning + now[i - 1];
-        emit(start + i, rests[i] + beginning);
-      }
-    }
-  }
-
   std::size_t m_width;
   Row_ends m_ends;
   std::size_t m_frames = 0;
   std::vector<Step> m_steps;
+  internal::Row_extension m_extension;
 };
 
 } // namespace Animated_mesh_features

@@ -18,19 +18,16 @@ namespace Animated_mesh_features {
 namespace internal {
 
 // The rows of one vertex at the space levels of a batch, as lanes: space level first_level() + i in lane i, zero behind the
-// last. What acts on time then acts on all levels at once, without a shift within a register.
+// last. What acts on time then acts on all levels at once, without a shift within a register. `lanes` is empty, or has
+// another vertex of the same batch.
 template <class L>
 void load_levels(const Level_batch& batch, std::size_t v, std::size_t number_of_frames, std::vector<L>& lanes)
 {
   typedef typename L::Scalar T;
-  lanes.resize(number_of_frames);
+  if (lanes.size() != number_of_frames) lanes.assign(number_of_frames, L::all(0));
   T* const numbers = reinterpret_cast<T*>(lanes.data());
   const std::size_t first = batch.first_level(), levels = batch.last_level() - first;
-  for (std::size_t i = 0; i < L::size; ++i) {
-    if (i >= levels) {
-      for (std::size_t f = 0; f < number_of_frames; ++f) numbers[f * L::size + i] = 0;
-      continue;
-    }
+  for (std::size_t i = 0; i < levels; ++i) {
     const double* const row = batch.row(first + i, v);
     for (std::size_t f = 0; f < number_of_frames; ++f) numbers[f * L::size + i] = T(row[f]);
   }

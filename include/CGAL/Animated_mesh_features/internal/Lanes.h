@@ -47,22 +47,24 @@ struct Register
 
 #ifdef CGAL_ANIMATED_MESH_FEATURES_HAS_VECTOR_TYPES
   // g++ 12 takes the attribute of a dependent type for that of its element: each type by its name.
-  #define CGAL_ANIMATED_MESH_FEATURES_REGISTER(T, bytes) \
-    template <> \
-    struct Register<T, bytes> \
-    { \
-      typedef T type __attribute__((vector_size(bytes))); \
-      /* the same anywhere in memory, among numbers of type T */ \
-      typedef T memory_type __attribute__((vector_size(bytes), aligned(sizeof(T)), may_alias)); \
+  #define CGAL_ANIMATED_MESH_FEATURES_REGISTER(T, bytes)                                                               \
+    template <>                                                                                                        \
+    struct Register<T, bytes>                                                                                          \
+    {                                                                                                                  \
+      typedef T type __attribute__((vector_size(bytes)));                                                              \
+      /* the same anywhere in memory, among numbers of type T */                                                       \
+      typedef T memory_type __attribute__((vector_size(bytes), aligned(sizeof(T)), may_alias));                        \
     };
-  #define CGAL_ANIMATED_MESH_FEATURES_REGISTERS(T) \
-    CGAL_ANIMATED_MESH_FEATURES_REGISTER(T, 16) \
-    CGAL_ANIMATED_MESH_FEATURES_REGISTER(T, 32) \
+  #define CGAL_ANIMATED_MESH_FEATURES_REGISTERS(T)                                                                     \
+    CGAL_ANIMATED_MESH_FEATURES_REGISTER(T, 16)                                                                        \
+    CGAL_ANIMATED_MESH_FEATURES_REGISTER(T, 32)                                                                        \
     CGAL_ANIMATED_MESH_FEATURES_REGISTER(T, 64)
 CGAL_ANIMATED_MESH_FEATURES_REGISTERS(float)
 CGAL_ANIMATED_MESH_FEATURES_REGISTERS(double)
 CGAL_ANIMATED_MESH_FEATURES_REGISTERS(std::int32_t)
 CGAL_ANIMATED_MESH_FEATURES_REGISTERS(std::int64_t)
+CGAL_ANIMATED_MESH_FEATURES_REGISTERS(std::uint32_t)
+CGAL_ANIMATED_MESH_FEATURES_REGISTERS(std::uint64_t)
   #undef CGAL_ANIMATED_MESH_FEATURES_REGISTERS
   #undef CGAL_ANIMATED_MESH_FEATURES_REGISTER
 #endif
@@ -105,19 +107,18 @@ struct alignas(register_bytes) Lanes // said again, since g++ forgets it of the 
   CGAL_ANIMATED_MESH_FEATURES_INLINE void store(T* to) const
   {
     CGAL_ANIMATED_MESH_FEATURES_UNROLL
-    for (std::size_t i = 0; i < registers; ++i)
-      *reinterpret_cast<Memory_type*>(to + i * (size / registers)) = r[i];
+    for (std::size_t i = 0; i < registers; ++i) *reinterpret_cast<Memory_type*>(to + i * (size / registers)) = r[i];
   }
 };
 
-#define CGAL_ANIMATED_MESH_FEATURES_LANES_OPERATOR(op) \
-  template <class T, std::size_t n, std::size_t b> \
-  CGAL_ANIMATED_MESH_FEATURES_INLINE Lanes<T, n, b> operator op(const Lanes<T, n, b>& x, const Lanes<T, n, b>& y) \
-  { \
-    Lanes<T, n, b> result; \
-    CGAL_ANIMATED_MESH_FEATURES_UNROLL \
-    for (std::size_t i = 0; i < result.registers; ++i) result.r[i] = x.r[i] op y.r[i]; \
-    return result; \
+#define CGAL_ANIMATED_MESH_FEATURES_LANES_OPERATOR(op)                                                                 \
+  template <class T, std::size_t n, std::size_t b>                                                                     \
+  CGAL_ANIMATED_MESH_FEATURES_INLINE Lanes<T, n, b> operator op(const Lanes<T, n, b>& x, const Lanes<T, n, b>& y)      \
+  {                                                                                                                    \
+    Lanes<T, n, b> result;                                                                                             \
+    CGAL_ANIMATED_MESH_FEATURES_UNROLL                                                                                 \
+    for (std::size_t i = 0; i < result.registers; ++i) result.r[i] = x.r[i] op y.r[i];                                 \
+    return result;                                                                                                     \
   }
 CGAL_ANIMATED_MESH_FEATURES_LANES_OPERATOR(+)
 CGAL_ANIMATED_MESH_FEATURES_LANES_OPERATOR(-)
@@ -150,11 +151,13 @@ CGAL_ANIMATED_MESH_FEATURES_INLINE Lanes<T, n, b> absolute(const Lanes<T, n, b>&
   return result;
 }
 
-// max(x, y) = (x + y + |x - y|) / 2, up to rounding.
 template <class T, std::size_t n, std::size_t b>
 CGAL_ANIMATED_MESH_FEATURES_INLINE Lanes<T, n, b> larger(const Lanes<T, n, b>& x, const Lanes<T, n, b>& y)
 {
-  return (x + y + absolute(x - y)) * T(0.5);
+  Lanes<T, n, b> result;
+  CGAL_ANIMATED_MESH_FEATURES_UNROLL
+  for (std::size_t i = 0; i < result.registers; ++i) result.r[i] = x.r[i] > y.r[i] ? x.r[i] : y.r[i];
+  return result;
 }
 
 // The lanes of two chains that go through the same filter, so that each hides the latency of the other.
@@ -163,6 +166,8 @@ struct Lane_pair
 {
   typedef typename L::Scalar Scalar;
   L p, q;
+
+  static CGAL_ANIMATED_MESH_FEATURES_INLINE Lane_pair all(Scalar value) { return {L::all(value), L::all(value)}; }
 
   CGAL_ANIMATED_MESH_FEATURES_INLINE friend Lane_pair operator+(const Lane_pair& a, const Lane_pair& b)
   {
@@ -178,6 +183,16 @@ struct Lane_pair
   }
 };
 
+// Whether it is a pair of which each half is one register of 64 bytes; there are 32 of them.
+template <class T>
+struct Is_register_pair : std::false_type
+{
+};
+template <class L>
+struct Is_register_pair<Lane_pair<L>> : std::bool_constant<L::registers == 1 && sizeof(L) == 64>
+{
+};
+
 // The scalar of lanes, or a number's own type.
 template <class T, class = void>
 struct Scalar_of
@@ -189,61 +204,6 @@ struct Scalar_of<T, std::void_t<typename T::Scalar>>
 {
   typedef typename T::Scalar type;
 };
-
-// The signs of lanes, to be combined and then asked for. (Comparing vectors is what g++ 12 does lane by lane for
-// registers of 64 bytes. A difference of unlike numbers is never zero, and of like ones +0.)
-template <class T, std::size_t n, std::size_t b>
-class Lane_signs
-{
-  typedef std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t> Integer;
-  typedef std::conditional_t<b == 4, std::int32_t, std::int64_t> Word;
-  typedef typename Register<Integer, b>::type Bits;
-  static constexpr std::size_t registers = Lanes<T, n, b>::registers;
-
-public:
-  explicit CGAL_ANIMATED_MESH_FEATURES_INLINE Lane_signs(const Lanes<T, n, b>& x) { std::memcpy(m_bits, &x, sizeof(x)); }
-
-  CGAL_ANIMATED_MESH_FEATURES_INLINE friend Lane_signs operator&(const Lane_signs& x, const Lane_signs& y)
-  {
-    Lane_signs result = x;
-    CGAL_ANIMATED_MESH_FEATURES_UNROLL
-    for (std::size_t i = 0; i < registers; ++i) result.m_bits[i] &= y.m_bits[i];
-    return result;
-  }
-  CGAL_ANIMATED_MESH_FEATURES_INLINE friend Lane_signs operator|(const Lane_signs& x, const Lane_signs& y)
-  {
-    Lane_signs result = x;
-    CGAL_ANIMATED_MESH_FEATURES_UNROLL
-    for (std::size_t i = 0; i < registers; ++i) result.m_bits[i] |= y.m_bits[i];
-    return result;
-  }
-
-  // whether any is negative
-  CGAL_ANIMATED_MESH_FEATURES_INLINE bool any() const
-  {
-    Bits all = m_bits[0];
-    CGAL_ANIMATED_MESH_FEATURES_UNROLL
-    for (std::size_t i = 1; i < registers; ++i) all |= m_bits[i];
-    constexpr std::size_t words = b / sizeof(Word);
-    Word word[words], result = 0;
-    std::memcpy(word, &all, b);
-    CGAL_ANIMATED_MESH_FEATURES_UNROLL
-    for (std::size_t i = 0; i < words; ++i) result |= word[i];
-    constexpr Word sign_bits = sizeof(Word) == 8 && sizeof(T) == 4 ? Word(0x8000000080000000ull)
-                               : sizeof(Word) == 8                 ? Word(0x8000000000000000ull)
-                                                                   : Word(0x80000000u);
-    return (result & sign_bits) != 0;
-  }
-
-private:
-  Bits m_bits[registers];
-};
-
-template <class T, std::size_t n, std::size_t b>
-CGAL_ANIMATED_MESH_FEATURES_INLINE Lane_signs<T, n, b> negative(const Lanes<T, n, b>& x)
-{
-  return Lane_signs<T, n, b>(x);
-}
 
 } // namespace internal
 } // namespace Animated_mesh_features

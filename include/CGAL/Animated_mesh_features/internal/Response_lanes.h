@@ -7,9 +7,8 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_INTERNAL_RESPONSE_LANES_H
 #define CGAL_ANIMATED_MESH_FEATURES_INTERNAL_RESPONSE_LANES_H
 
-#include <CGAL/Animated_mesh_features/internal/Lane_weights.h>
+#include <CGAL/Animated_mesh_features/internal/Lane_signs.h>
 #include <CGAL/Animated_mesh_features/internal/Lanes.h>
-#include <CGAL/Animated_mesh_features/internal/Level_batch.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -32,56 +31,48 @@ public:
 
   explicit Response_lanes(std::size_t number_of_frames)
     : m_frames(number_of_frames)
-    , m_slacks(3 * L::size, 0)
+    , m_minima((number_of_frames - 2 + History::size - 1) / History::size)
+    , m_new_minima(m_minima.size())
+    , m_slacks(3, L::all(0))
   {
     for (std::vector<L>& level : m_levels) level.assign(number_of_frames, L::all(0));
   }
 
   // What comes next is time level `first` of another vertex.
-  void start(std::size_t first)
-  {
-    m_next = m_first = first;
-    m_minima.clear();
-    m_first_new = 0;
-  }
+  void start(std::size_t first) { m_next = m_first = first; }
 
   // Pushes a level: response(f) for each frame, of which two may differ by `slack` more than they seem to.
   template <class Response>
   CGAL_ANIMATED_MESH_FEATURES_INLINE void push(const L& slack, const L& floor, const Response& response)
   {
     L* const d = row(m_next);
-    slack.store(slacks(m_next));
-    m_first_old = m_first_new;
-    m_first_new = m_minima.size();
+    m_slacks[m_next % 3] = slack;
+    m_minima.swap(m_new_minima);
     const L bound = slack - floor;
     L before = response(0), now = response(1);
     d[0] = before;
     d[1] = now;
-    const auto is_minimum = [&](const L& next) CGAL_ANIMATED_MESH_FEATURES_INLINE_LAMBDA {
-      const L lowered = now - slack;
-      return negative(lowered - before) & negative(lowered - next) & negative(now - bound);
-    };
-    const auto step = [&](std::size_t f) CGAL_ANIMATED_MESH_FEATURES_INLINE_LAMBDA {
-      const L next = response(f);
-      d[f] = next;
-      const auto result = is_minimum(next);
-      before = now;
-      now = next;
-      return result;
-    };
-    std::size_t f = 2;
-    // Asking whether there is a minimum costs as much as looking for it: once for some frames, and again only if so.
-    constexpr std::size_t frames_at_once = 4;
-    for (; f + frames_at_once <= m_frames; f += frames_at_once) {
-      const auto s0 = step(f), s1 = step(f + 1), s2 = step(f + 2), s3 = step(f + 3);
-      if (!((s0 | s1) | (s2 | s3)).any()) continue;
-      if (s0.any()) m_minima.push_back(f - 1);
-      if (s1.any()) m_minima.push_back(f);
-      if (s2.any()) m_minima.push_back(f + 1);
-      if (s3.any()) m_minima.push_back(f + 2);
+    // Whether frame f has a minimum over time is known when f + 1 has come, and written down without a question: which
+    // frames have one no processor can foresee.
+    for (std::size_t part = 0; part < m_new_minima.size(); ++part) {
+      const std::size_t first = first_frame(part), frames = number_of_frames(part);
+      History history;
+      const auto step = [&](std::size_t f) CGAL_ANIMATED_MESH_FEATURES_INLINE_LAMBDA {
+        const L next = response(f + 1);
+        d[f + 1] = next;
+        const L lowered = now - slack;
+        history.push(negative(lowered - before) & negative(lowered - next) & negative(now - bound));
+        before = now;
+        now = next;
+      };
+      std::size_t f = first;
+      for (; f + 2 <= first + frames; f += 2) {
+        step(f);
+        step(f + 1);
+      }
+      if (f < first + frames) step(f);
+      m_new_minima[part] = history;
     }
-    for (; f < m_frames; ++f)
-      if (step(f).any()) m_minima.push_back(f - 1);
     ++m_next;
   }
 
@@ -91,30 +82,46 @@ public:
 
   // found(frame, lane) for each minimum of that level in lanes [1, last_lane).
   template <class Found>
-  void search(const T* floor, std::size_t last_lane, const Found& found) const
+  CGAL_ANIMATED_MESH_FEATURES_INLINE void search(std::size_t last_lane, const Found& found) const
   {
     const std::size_t l = searched_level();
-    const T* const slack = slacks(l);
-    for (std::size_t i = m_first_old; i < m_first_new; ++i) {
-      const std::size_t f = m_minima[i];
-      const T *below = numbers(l - 1, f), *same = numbers(l, f), *above = numbers(l + 1, f);
-      for (std::size_t k = 1; k < last_lane; ++k) {
-        const T lowered = same[k] - slack[k];
-        if (!(lowered < -floor[k])) continue;
-        const T* const earlier = numbers(l, f - 1);
-        const T* const later = numbers(l, f + 1);
-        if (lowered < earlier[k] && lowered < later[k] && lowered < same[k - 1] && lowered < same[k + 1] &&
-            lowered < below[k] && lowered < above[k] && lowered < below[k - 1] && lowered < below[k + 1] &&
-            lowered < above[k - 1] && lowered < above[k + 1])
-          found(f, k);
+    const L slack = m_slacks[l % 3];
+    for (std::size_t part = 0; part < m_minima.size(); ++part) {
+      const History& minima = m_minima[part];
+      const std::size_t unused = History::size - number_of_frames(part); // bits, the lowest
+      typename History::Integer any = minima.any() >> unused;
+      for (std::size_t i = 0; any != 0; any >>= 1, ++i) {
+        if ((any & 1) == 0) continue;
+        const std::size_t f = first_frame(part) + i;
+        const T *below = numbers(l - 1, f), *same = numbers(l, f), *above = numbers(l + 1, f);
+        const L lowered = L::load(same) - slack;
+        const auto lower_than = [&](const T* other) CGAL_ANIMATED_MESH_FEATURES_INLINE_LAMBDA {
+          return negative(lowered - L::load(other));
+        };
+        const History found_here =
+            minima.that_have(unused + i, lower_than(same - 1) & lower_than(same + 1) & lower_than(below) &
+                                             lower_than(above) & lower_than(below - 1) & lower_than(below + 1) &
+                                             lower_than(above - 1) & lower_than(above + 1));
+        if (found_here.any() == 0) continue;
+        typename History::Integer is_minimum[L::size];
+        found_here.store(is_minimum);
+        for (std::size_t k = 1; k < last_lane; ++k)
+          if (is_minimum[k] != 0) found(f, k);
       }
     }
   }
 
 private:
+  typedef Lane_history<T, L::size, sizeof(typename L::Register_type)> History;
+
+  // Frames are written down in parts of as many as a history has bits, those that have a frame on either side.
+  static std::size_t first_frame(std::size_t part) { return 1 + part * History::size; }
+  std::size_t number_of_frames(std::size_t part) const
+  {
+    return (std::min)(m_frames - 1 - first_frame(part), History::size);
+  }
+
   L* row(std::size_t l) { return m_levels[l % 3].data(); }
-  T* slacks(std::size_t l) { return m_slacks.data() + l % 3 * L::size; }
-  const T* slacks(std::size_t l) const { return m_slacks.data() + l % 3 * L::size; }
   const T* numbers(std::size_t l, std::size_t f) const
   {
     return reinterpret_cast<const T*>(m_levels[l % 3].data() + f);
@@ -122,9 +129,8 @@ private:
 
   std::size_t m_frames, m_first = 0, m_next = 0;
   std::vector<L> m_levels[3];
-  std::vector<T> m_slacks; // [l % 3][lane]
-  std::vector<std::size_t> m_minima; // frames of minima over time, of all levels so far
-  std::size_t m_first_old = 0, m_first_new = 0; // in it, of the last level but one and of the last
+  std::vector<History> m_minima, m_new_minima; // over time, of the last level but one and of the last: [part]
+  std::vector<L> m_slacks;                     // [l % 3]
 };
 
 } // namespace internal

@@ -108,9 +108,9 @@ private:
                        [&](std::size_t f) { return rows.response(a, b, f); });
         if (!responses.can_search()) continue;
         const std::size_t searched = responses.searched_level();
-        responses.search(m_weights.floor(searched), last_lane, [&](std::size_t f, std::size_t lane) {
-          candidates.push_back({std::uint32_t(v), std::uint32_t(f), std::uint32_t(m_batch.first - 1 + lane),
-                                std::uint32_t(searched)});
+        responses.search(last_lane, [&](std::size_t f, std::size_t lane) {
+          candidates.push_back(
+              {std::uint32_t(v), std::uint32_t(f), std::uint32_t(m_batch.first - 1 + lane), std::uint32_t(searched)});
         });
         if (!is_precise && candidates.size() - clear > most) {
           candidates.resize(clear);
