@@ -7,7 +7,8 @@ import xml.etree.ElementTree as ElementTree
 
 REFERENCE = "PkgAnimatedMeshFeaturesRef"
 # what doxygen writes for menus and trees of its own
-UNUSED = ["*.png", "doxygen.svg", "jquery.js", "dynsections.js", "tabs.css", "menu.js", "menudata.js"]
+UNUSED = ["*.png", "doc*.svg", "folder*.svg", "plus*.svg", "minus*.svg", "jquery.js", "dynsections.js", "tabs.css", "menu.js",
+          "menudata.js"]
 
 
 def finish(folder, tag_file, pictures):
@@ -73,19 +74,26 @@ def with_short_title(text, is_concept):
     title = re.search(r'<div class="title">(.*?)(<div class="ingroups">|</div>)', text, re.DOTALL)
     if not title:
         return text
-    words = re.fullmatch(r"\s*(.*?)\s(Class|Struct|Union|Namespace)( Template)? Reference\s*", title.group(1), re.DOTALL)
+    words = re.fullmatch(r"\s*(.*?)\s(Class|Struct|Union|Namespace)( Template)? Reference\s*(?:<span .*</span>)?\s*",
+                         title.group(1), re.DOTALL)
+    example = re.fullmatch(r"\s*(\w+/)([\w.]+)\s*", title.group(1))
+    if example:
+        text = text.replace(title.group(0), title_of(*example.groups(), "example", title.group(2)), 1)
     if words:
         name = re.sub(r"&lt;.*&gt;", "", words.group(1)).strip()
         kind = "Concept" if is_concept else words.group(2) + (" template" if words.group(3) else "")
         scope, separator, last = name.rpartition("::")
-        text = text.replace(title.group(0), '<div class="title">'
-                            f'<span class="amf-scope">{scope}{separator}</span><wbr/>{breakable(last)} '
-                            f'<span class="amf-kind">{kind.lower()}</span>{title.group(2)}', 1)
+        text = text.replace(title.group(0), title_of(scope + separator, last, kind.lower(), title.group(2)), 1)
         text = re.sub("<title>[^<]*(?= &ndash;)", f"<title>{last}", text, count=1)
     if is_concept:
         text = text.replace('<p class="amf-kind">Concept</p>', "")
         text = re.sub(r"\n<p><code>#include [^\n]*</code></p>", "", text, count=1)
     return text
+
+
+def title_of(scope, name, kind, rest):
+    return (f'<div class="title"><span class="amf-scope">{scope}</span><wbr/>{breakable(name)} '
+            f'<span class="amf-kind">{kind}</span>{rest}')
 
 
 def with_short_names(text):
@@ -181,7 +189,7 @@ def outline(compounds, texts):
               ("Reference manual", file_of(reference), group_outline(compounds, reference, order)[2])]
     if examples:
         result.append(("Examples", examples[0],
-                       [(plain_title(texts[name]).rpartition("/")[2], name, []) for name in examples]))
+                       [(example_name(texts[name]), name, []) for name in examples]))
     if "citelist.html" in texts:
         result.append(("References", "citelist.html", []))
     return result
@@ -189,7 +197,7 @@ def outline(compounds, texts):
 
 def group_outline(compounds, group, order):
     """A group: first what is in it, in the order in which the reference page lists it, then smaller groups."""
-    children = [(short_name(entry.text), file_of(compounds[entry.text]), []) for entry in group.findall("class")]
+    children = classes_of(compounds, group)
     functions = {}
     for member in group.findall("member"):
         if member.get("kind") == "function":
@@ -200,6 +208,12 @@ def group_outline(compounds, group, order):
     return (group.findtext("title"), file_of(group), children)
 
 
+def classes_of(compounds, compound):
+    """Those of a group, or those within a class."""
+    return [(short_name(entry.text), file_of(compounds[entry.text]), classes_of(compounds, compounds[entry.text]))
+            for entry in compound.findall("class") if entry.text in compounds]
+
+
 def address(member):
     return member.findtext("anchorfile") + "#" + member.findtext("anchor")
 
@@ -208,8 +222,8 @@ def plain(text):
     return html.unescape(re.sub("<[^>]*>", "", text)).strip()
 
 
-def plain_title(text):
-    return plain(re.search(r'<div class="title">(.*?)</div>', text, re.DOTALL).group(1))
+def example_name(text):
+    return plain(re.search(r'<div class="title">.*?<wbr/>(.*?)<span', text, re.DOTALL).group(1))
 
 
 def targets(parts):

@@ -32,8 +32,10 @@ frames². An even box has no middle frame; it is taken as w + 1 frames of which 
 variance
 \f$(w^2+2)/12\f$.
 
-With width 0, each level is `passes` passes of an extended box (Gwosdek et al. 2011), whose two end frames have a weight
-that gives any variance exactly.
+With width 0, each level is `passes` passes of an extended box \cgalCite{gwosdek2011}, whose two end frames have a
+weight that gives any variance exactly.
+
+\cgalModels{TemporalFilter}
 */
 class Box_temporal_filter
 {
@@ -41,7 +43,9 @@ public:
   /// rows may be those of several vertices at once, see `TemporalFilter`.
   static constexpr bool vectorized = true;
 
+  /// makes a filter without levels.
   /// \param width of the box in frames, or 0 for boxes that fit the variances.
+  /// \param ends what is averaged over where a box reaches beyond the row.
   explicit Box_temporal_filter(std::size_t width = 0, Row_ends ends = Row_ends::REFLECT)
     : m_width(width)
     , m_ends(ends)
@@ -51,6 +55,7 @@ public:
   /// passes add up over the levels.
   static constexpr std::size_t passes = 3;
 
+  /// the width of the box in frames; 0: boxes that fit the variances.
   std::size_t width() const { return m_width; }
 
   /// the variance that one pass adds, in squared seconds; that of three frames with width 0.
@@ -60,6 +65,8 @@ public:
   }
 
   /// prepares the levels.
+  /// \param number_of_frames of each row.
+  /// \param frame_duration seconds.
   /// \param variances ascending; squared seconds.
   void initialize(std::size_t number_of_frames, double frame_duration, const std::vector<double>& variances)
   {
