@@ -20,7 +20,7 @@
 #include <CGAL/Animated_mesh_features/internal/noise_floor.h>
 #include <CGAL/Animated_mesh_features/internal/place_feature.h>
 #include <CGAL/Animated_mesh_features/internal/refine_extremum.h>
-#include <CGAL/Animated_mesh_features/internal/suppress_non_maxima.h>
+#include <CGAL/Animated_mesh_features/internal/selected_features.h>
 #include <CGAL/Animated_mesh_features/strain.h>
 
 #include <algorithm>
@@ -181,9 +181,10 @@ public:
   template <class OutputIterator, class Visitor>
   OutputIterator operator()(OutputIterator out, Visitor& visitor)
   {
-    check_selection();
+    internal::check_selection(m_options.selection);
     if (!m_minima) find_minima(visitor);
-    const std::vector<Feature> selected = select();
+    const std::vector<Feature> selected =
+        internal::selected_features(animation().rest, *m_minima, m_options.selection);
     return std::copy(selected.begin(), selected.end(), out);
   }
 
@@ -219,14 +220,6 @@ private:
     const internal::Stage_scope<Visitor> stage(visitor, Stage::STRAIN);
     return internal::vertex_strain_rows(animation(), m_options.strain, m_options.triangle_weights,
                                         loop(visitor, Stage::STRAIN));
-  }
-
-  void check_selection() const
-  {
-    const Feature_selection& s = m_options.selection;
-    if (!(s.relative_threshold >= 0 && s.relative_threshold <= 1))
-      throw Option_error("the relative threshold must be between 0 and 1");
-    if (!(s.absolute_threshold >= 0)) throw Option_error("the absolute threshold must not be negative");
   }
 
   // A minimum has a level on either side, and all three have those of which their differences are made.
@@ -309,19 +302,6 @@ private:
 
     internal::place_feature(animation(), e, scales, result);
     return result;
-  }
-
-  std::vector<Feature> select() const
-  {
-    const Feature_selection& s = m_options.selection;
-    std::vector<Feature> selected;
-    if (m_minima->empty()) return selected;
-    const double least = (std::max)(s.absolute_threshold, s.relative_threshold * m_minima->front().strength());
-    for (const Feature& f : *m_minima) {
-      if (f.strength() < least) break;
-      if (s.accept_border_vertices || !animation().rest.is_border(f.vertex_index)) selected.push_back(f);
-    }
-    return s.suppress_non_maxima ? internal::suppress_non_maxima(animation().rest, selected) : selected;
   }
 
   Access m_access;

@@ -14,13 +14,12 @@
 #include <CGAL/Animated_mesh_features/exceptions.h>
 #include <CGAL/Animated_mesh_features/internal/Flat_animation.h>
 #include <CGAL/Animated_mesh_features/internal/Frame_batch.h>
-#include <CGAL/Animated_mesh_features/internal/all_finite.h>
+#include <CGAL/Animated_mesh_features/internal/copy_points.h>
 #include <CGAL/Animated_mesh_features/internal/rest_unit.h>
 
 #include <CGAL/Dynamic_property_map.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 #include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -28,7 +27,6 @@
 #include <cstddef>
 #include <iterator>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -145,7 +143,7 @@ public:
                                                                      64 / sizeof(FT)); // a cache line of a row
     std::size_t f = 0;
     for (const auto& frame : frames) {
-      copy_points(frame, "frame " + std::to_string(f), batch.frame(f));
+      internal::copy_points(frame, m_vertices, "frame " + std::to_string(f), batch.frame(f));
       if (++f == batch.end()) batch.finish();
     }
     set_rest_frame(0);
@@ -205,7 +203,7 @@ public:
   double set_rest_shape(const Points& points, Rest_unit unit = Rest_unit::CHECK)
   {
     std::vector<double> xyz(3 * m_vertices.size());
-    copy_points(points, "the rest shape", xyz.data());
+    internal::copy_points(points, m_vertices, "the rest shape", xyz.data());
     std::vector<Rest_shape::Point> rest(m_vertices.size());
     for (std::size_t v = 0; v < rest.size(); ++v)
       rest[v] = Rest_shape::Point(xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]);
@@ -279,42 +277,6 @@ private:
       m_vertices.push_back(v);
     }
     m_animation.rest = Rest_shape(mesh, m_index, m_vertices.size());
-  }
-
-  // Not the other way round: some property maps, such as those of Surface_mesh, are ranges as well, but with an element
-  // for every removed vertex.
-  template <class T, class = void>
-  struct Is_point_map : std::false_type
-  {
-  };
-  template <class T>
-  struct Is_point_map<T, std::void_t<decltype(get(std::declval<const T&>(), std::declval<vertex_descriptor>()))>>
-    : std::true_type
-  {
-  };
-
-  // Writes the coordinates vertex by vertex. `name` is for messages.
-  template <class Points, class Scalar>
-  void copy_points(const Points& points, const std::string& name, Scalar* xyz) const
-  {
-    const auto insert = [&](std::size_t v, const auto& point) {
-      Scalar* const p = xyz + 3 * v;
-      p[0] = Scalar(CGAL::to_double(point.x()));
-      p[1] = Scalar(CGAL::to_double(point.y()));
-      p[2] = Scalar(CGAL::to_double(point.z()));
-      if (!internal::all_finite(p, 3))
-        throw Input_error(name + ": the position of vertex " + std::to_string(v) + " is not finite");
-    };
-    if constexpr (Is_point_map<Points>::value) {
-      for (std::size_t v = 0; v < m_vertices.size(); ++v) insert(v, get(points, m_vertices[v]));
-    } else {
-      const std::size_t n = std::size_t(std::distance(std::begin(points), std::end(points)));
-      if (n != m_vertices.size())
-        throw Input_error(name + " has " + std::to_string(n) + " points, the mesh has " +
-                          std::to_string(m_vertices.size()) + " vertices");
-      std::size_t v = 0;
-      for (const auto& p : points) insert(v++, p);
-    }
   }
 
   void set_rest_points(std::vector<Rest_shape::Point> points) { m_animation.rest.set_points(std::move(points)); }

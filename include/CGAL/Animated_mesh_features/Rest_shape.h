@@ -9,6 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Compressed_rows.h>
 #include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/internal/rows_of_vertices.h>
 
 #include <CGAL/Min_sphere_of_points_d_traits_3.h>
 #include <CGAL/Min_sphere_of_spheres_d.h>
@@ -198,29 +199,11 @@ private:
       };
       m_edges.push_back({Index(get(index, source(h, mesh))), Index(get(index, target(h, mesh))), third(h), third(o)});
     }
-    m_edges = sorted_in_rows(
-        m_edges, [](const Edge& e) { return e.source; },
+    m_edges = internal::sorted_in_rows(
+        number_of_vertices(), m_edges, [](const Edge& e) { return e.source; },
         [](const Edge& a, const Edge& b) {
           return std::tie(a.target, a.left, a.right) < std::tie(b.target, b.left, b.right);
         });
-  }
-
-  // Sorts by `row` first, which is the index of a vertex, then by `less`. Rows are short: this takes linear time, where
-  // sorting the whole would not.
-  template <class Element, class Row, class Less>
-  std::vector<Element> sorted_in_rows(const std::vector<Element>& elements, const Row& row, const Less& less) const
-  {
-    std::vector<std::size_t> ends(number_of_vertices() + 1, 0);
-    for (const Element& e : elements) ++ends[row(e) + 1];
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    std::vector<Element> sorted(elements.size());
-    for (const Element& e : elements) sorted[ends[row(e)]++] = e; // starts become ends on the way
-    std::size_t begin = 0;
-    for (std::size_t v = 0; v < number_of_vertices(); ++v) {
-      std::sort(sorted.begin() + std::ptrdiff_t(begin), sorted.begin() + std::ptrdiff_t(ends[v]), less);
-      begin = ends[v];
-    }
-    return sorted;
   }
 
   // Rows are filled in the order in which they are to be: edges are sorted, so that those to smaller neighbours of a
@@ -232,7 +215,8 @@ private:
     for (const Edge& e : m_edges)
       if (e.is_border()) m_is_border[e.source] = m_is_border[e.target] = 1;
     const auto ends_of_edge = [this](Index e) { return std::array<Index, 2>{{m_edges[e].source, m_edges[e].target}}; };
-    m_incident_edges = rows_of_vertices(m_edges.size(), [](std::size_t i) { return Index(i); }, ends_of_edge);
+    m_incident_edges =
+        internal::rows_of_vertices(n, m_edges.size(), [](std::size_t i) { return Index(i); }, ends_of_edge);
     std::vector<Index> row;
     for (std::size_t v = 0; v < n; ++v) {
       row.clear();
@@ -245,33 +229,12 @@ private:
 
     m_ordered_triangles.resize(m_triangles.size());
     std::iota(m_ordered_triangles.begin(), m_ordered_triangles.end(), Index(0));
-    m_ordered_triangles = sorted_in_rows(
-        m_ordered_triangles, [this](Index t) { return m_triangles[t][0]; },
+    m_ordered_triangles = internal::sorted_in_rows(
+        n, m_ordered_triangles, [this](Index t) { return m_triangles[t][0]; },
         [this](Index a, Index b) { return std::tie(m_triangles[a], a) < std::tie(m_triangles[b], b); });
-    m_incident_triangles = rows_of_vertices(
-        m_triangles.size(), [this](std::size_t i) { return m_ordered_triangles[i]; },
+    m_incident_triangles = internal::rows_of_vertices(
+        n, m_triangles.size(), [this](std::size_t i) { return m_ordered_triangles[i]; },
         [this](Index t) { return m_triangles[t]; });
-  }
-
-  // A row for each vertex: those of the simplices `simplex(0)`, `simplex(1)`, ... of which it is a corner, in this order.
-  template <class Simplex, class Corners>
-  Compressed_rows rows_of_vertices(std::size_t simplices, const Simplex& simplex, const Corners& corners) const
-  {
-    std::vector<std::size_t> ends(number_of_vertices() + 1, 0);
-    for (std::size_t i = 0; i < simplices; ++i)
-      for (Index v : corners(simplex(i))) ++ends[v + 1];
-    std::partial_sum(ends.begin(), ends.end(), ends.begin());
-    std::vector<Index> entries(ends.back());
-    for (std::size_t i = 0; i < simplices; ++i)
-      for (Index v : corners(simplex(i))) entries[ends[v]++] = simplex(i); // starts become ends on the way
-    Compressed_rows rows;
-    const Index* begin = entries.data();
-    for (std::size_t v = 0; v < number_of_vertices(); ++v) {
-      const Index* const end = entries.data() + ends[v];
-      rows.push_back(begin, end);
-      begin = end;
-    }
-    return rows;
   }
 
   void measure()
