@@ -44,7 +44,8 @@ inline double default_ball_radius(const Rest_shape& shape)
 /*!
 \ingroup PkgAnimatedMeshFeaturesBalls
 
-computes the geodesic ball of each vertex on the rest shape of an animation.
+computes the geodesic ball of each vertex on the rest shape of an animation. Time and memory are those of the policy,
+linear in `N` with the default.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same.
 \tparam Animation a model of `MeshAnimation`.

@@ -57,7 +57,7 @@ private:
 /*!
 \ingroup PkgAnimatedMeshFeaturesData
 
-makes the property map of one frame of a vertex field.
+makes the property map of one frame of a vertex field; both this and `get()` take constant time.
 
 \param sequence the `Frame_sequence` of which the field was computed; it knows the row of each vertex.
 \param field `N x F`; must outlive the map.

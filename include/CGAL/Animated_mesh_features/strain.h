@@ -114,9 +114,10 @@ Linear in triangles x frames.
 \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same, bit for bit.
 \tparam Animation a model of `MeshAnimation`.
 \tparam StrainMeasure a model of `StrainMeasure`.
+\param animation the animation.
+\param measure what the principal stretches become.
 \returns a field of `number of triangles x F` strains without unit, rows in the order of `faces(mesh)`. Rows of
-triangles that
-  are degenerate at rest are zero.
+  triangles that are degenerate at rest are zero.
 */
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Animation, class StrainMeasure = Hencky_strain>
 Spatio_temporal_field<typename Animation::FT> triangle_strain(const Animation& animation,
@@ -132,11 +133,14 @@ Spatio_temporal_field<typename Animation::FT> triangle_strain(const Animation& a
 \ingroup PkgAnimatedMeshFeaturesMeasures
 
 computes the strain at every vertex in every frame: the weighted mean of the strains of the triangles around it.
-Triangles that are degenerate at rest are left out; a vertex without others has strain 0.
+Triangles that are degenerate at rest are left out; a vertex without others has strain 0. Linear in triangles x frames.
 
 \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the result is the same, bit for bit.
 \tparam Animation a model of `MeshAnimation`.
 \tparam StrainMeasure a model of `StrainMeasure`.
+\param animation the animation.
+\param measure what the principal stretches become.
+\param weights of the triangles in the mean.
 \returns a field of `N x F` strains without unit, rows in the order of `vertices(mesh)`.
 */
 template <class ConcurrencyTag = CGAL::Sequential_tag, class Animation, class StrainMeasure = Hencky_strain>
