@@ -134,7 +134,7 @@ int main(int argc, char* argv[])
     const auto figure = Animated_mesh_generators::articulated_figure(options);
     const std::vector<Point_3> standing(figure.mesh.points().begin(), figure.mesh.points().end());
     Frame_sequence animation(figure.mesh, figure.frames, figure.frame_duration);
-    animation.set_rest_shape(standing);
+    animation.set_rest_average();
     Detector detector(animation);
     const std::vector<double> deformation = column(detector.deformation(), shown_frame);
     const double most = range(deformation);
@@ -161,18 +161,19 @@ int main(int argc, char* argv[])
     }
     draw(folder + "smoothing_in_space.png", figure, levels, most, "deformation");
 
-    // rest shapes: in one frame, what counts as deformed
-    std::vector<Body> shapes = {{"rest: standing", shown_frame, deformation}};
-    animation.set_rest_frame(shown_frame - 6);
-    shapes.push_back({"rest: frame " + std::to_string(shown_frame - 6), shown_frame,
-                      column(Detector(animation).deformation(), shown_frame)});
-    animation.set_rest_frame(shown_frame);
-    shapes.push_back({"rest: frame " + std::to_string(shown_frame), shown_frame,
-                      column(Detector(animation).deformation(), shown_frame)});
-    std::vector<Point_3> larger;
-    for (const Point_3& p : standing) larger.push_back(CGAL::ORIGIN + (p - CGAL::ORIGIN) * 0.5);
-    animation.set_rest_shape(larger, AMF::Rest_unit::KEEP);
-    shapes.push_back({"rest: half as large", shown_frame, column(Detector(animation).deformation(), shown_frame)});
+    // in the same frame, what counts as deformed
+    std::vector<Body> shapes = {{"rest: average", shown_frame, deformation}};
+    const auto add = [&](const std::string& label) {
+      shapes.push_back({"rest: " + label, shown_frame, column(Detector(animation).deformation(), shown_frame)});
+    };
+    animation.set_rest_shape(standing);
+    add("standing");
+    animation.set_rest_frame(0);
+    add("frame 0");
+    std::vector<Point_3> smaller;
+    for (const Point_3& p : standing) smaller.push_back(CGAL::ORIGIN + (p - CGAL::ORIGIN) * 0.5);
+    animation.set_rest_shape(smaller, AMF::Rest_unit::KEEP);
+    add("half as large");
     draw(folder + "rest_shapes.png", figure, shapes, most, "deformation");
     return 0;
   } catch (const std::exception& e) {

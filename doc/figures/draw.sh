@@ -24,7 +24,7 @@ make figure --vertices 30000 -o "$data/large"
 detect "$data/large.obj" "$data/large.pc2" \
   --png "$figures/running_figure.png" --frame 8 --frame 12 --frame 16 --frame 20 --png-size 1600x620
 make figure -o "$data/figure"
-figure=("$data/figure.obj" "$data/figure.pc2")
+figure=("$data/figure.obj" "$data/figure.pc2" --rest average)
 detect "${figure[@]}" -o "$data/figure.json"
 detect "${figure[@]}" --absolute-threshold 1e9 --png "$figures/deformation.png" \
   --frame 6 --frame 9 --frame 12 --frame 15 --frame 18 --png-size 1280x380 --view 60,10
