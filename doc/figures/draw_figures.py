@@ -410,7 +410,7 @@ def main():
         draw(folder)
     pictures(folder, "choices.svg", "The running figure with other parameters",
              [("default.png", "default"), ("threshold.png", "--threshold 0.5"), ("alpha.png", "--alpha 0"),
-              ("sigma.png", "--sigma-range :4%"), ("tau.png", "--tau-range 0.12:"),
+              ("sigma.png", "--sigma-range :4%"), ("tau.png", "--tau-range 0.08:"),
               ("no_suppression.png", "--no-suppression")], 3, 0, 0.93)
     pictures(folder, "presets.svg", "The two presets", [("calibrated.png", "calibrated"), ("published.png", "published")], 2,
              0, 1)
