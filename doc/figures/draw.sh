@@ -39,7 +39,7 @@ detect "${figure[@]}" "${picture[@]}" --png "$data/sigma.png" --sigma-range :4%
 detect "${figure[@]}" "${picture[@]}" --png "$data/tau.png" --tau-range 0.08:
 detect "${figure[@]}" "${picture[@]}" --png "$data/no_suppression.png" --no-suppression
 for preset in calibrated published; do
-  detect "${figure[@]}" --frame 12 --png-size 480x480 --view 60,10 --png "$data/$preset.png" --preset "$preset"
+  detect "${figure[@]}" --frame 12 --png-size 420x420 --view 60,10 --png "$data/$preset.png" --preset "$preset"
 done
 
 say "the bending cylinder"
