@@ -86,7 +86,10 @@ def run_doxygen(doxygen, source, output, settings=""):
         'PROJECT_NAME = "Animated_mesh_features"\n'
         f"PROJECT_NUMBER = {version(source)}\n"
         # its own list of references, without BibTeX
-        "CITE_BIB_FILES =\n" + settings, encoding="utf-8")
+        "CITE_BIB_FILES =\n"
+        # benchmark/Animated_mesh_features/write_page.py makes it; the user manual refers to it if it is there
+        + ("ENABLED_SECTIONS = AmfPerformancePage\n" if (package / "Performance.txt").exists() else "")
+        + settings, encoding="utf-8")
     log = output / "warnings.log"
     log.unlink(missing_ok=True)
     result = subprocess.run([doxygen, output / "manual.doxy"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
