@@ -1,4 +1,5 @@
-// The search of the manual: in manual_index.js, by parts of names. Everything else on the pages works without scripts.
+// The search of the manual, in manual_index.js, by parts of names; and the mark in the navigation for the section that is
+// being read. Everything else on the pages works without scripts.
 "use strict";
 
 (function () {
@@ -93,4 +94,38 @@
       event.preventDefault();
     }
   });
+})();
+
+(function () {
+  const page = location.pathname.split("/").pop() || "index.html";
+  const sections = [];
+  for (const link of document.querySelectorAll("#amf-nav a")) {
+    const [file, anchor] = link.getAttribute("href").split("#");
+    const place = file === page && anchor && document.getElementById(anchor);
+    if (place) sections.push([place, link]);
+  }
+  let current = null;
+
+  function mark() {
+    let found = null;
+    for (const [place, link] of sections) {
+      if (place.getBoundingClientRect().top > 140) break;
+      found = link;
+    }
+    if (found === current) return;
+    if (current) current.removeAttribute("aria-current");
+    if (found) {
+      found.setAttribute("aria-current", "location");
+      const nav = document.getElementById("amf-nav");
+      const y = found.getBoundingClientRect().top - nav.getBoundingClientRect().top;
+      if (y < 0 || y > nav.clientHeight - 40) nav.scrollTop += y - nav.clientHeight / 2;
+    }
+    current = found;
+  }
+
+  // Only those of a text are in the order of the page.
+  if (page === "index.html" && sections.length) {
+    addEventListener("scroll", mark, { passive: true });
+    mark();
+  }
 })();

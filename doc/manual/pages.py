@@ -62,8 +62,8 @@ def with_described_pictures(text):
                   flags=re.DOTALL)
 
     def described(figure):
-        caption = html.escape(plain(figure.group(2)).partition(". ")[0], quote=True)
-        return figure.group(1).replace('alt=""', f'alt="{caption}"') + figure.group(2)
+        caption = re.sub(r"^fig__\w+\s*|\\[()]", "", plain(figure.group(2)).partition(". ")[0])
+        return figure.group(1).replace('alt=""', f'alt="{html.escape(caption, quote=True)}"') + figure.group(2)
 
     return re.sub(r'(<div class="amf-figure">.*?</div>\s*)(<div class="amf-caption">.*?</div>)', described, text,
                   flags=re.DOTALL)

@@ -6,7 +6,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # The manual builds without warnings, none of its links is dead, every public entity is documented and in a group; and the
-# checks that say so find what is wrong: each of them is given a copy with a fault.
+# checks that say so find what is wrong: each of them is given a copy with a fault. A browser draws its formulas, without a
+# network.
 # Skipped (77) without doxygen, python3 or MathJax (Debian: libjs-mathjax).
 
 set -u
@@ -47,6 +48,44 @@ check "the manual has warnings" 0 ": 0 warnings" make "$root" "$folder/manual"
 check "links" 0 ", dead: 0;" python3 "$tools/check_links.py" "$folder/manual/html"
 check "entities" 0 "public entities: " python3 "$tools/check_entities.py" --work "$folder/entities"
 cat "$folder/log"
+
+# ---------------------------------------------------------------------------------------------------------- in a browser
+
+# rendered <page>: the page as a browser shows it, in $folder/page.html
+rendered() {
+  timeout 120 "$browser" --headless --no-sandbox --disable-gpu --user-data-dir="$folder/browser" \
+    --host-resolver-rules="MAP * ~NOTFOUND" --virtual-time-budget=20000 --dump-dom "file://$1" \
+    > "$folder/page.html" 2> /dev/null
+}
+
+# count <pattern>: of what is in that page
+count() { grep -oE -- "$1" "$folder/page.html" | wc -l; }
+
+browser="$(command -v chromium || command -v chromium-browser || command -v google-chrome)"
+if [[ -n "$browser" ]]; then
+  for page in index.html group__PkgAnimatedMeshFeaturesCurvatureMeasures.html; do
+    checks=$((checks + 1))
+    rendered "$folder/manual/html/$page"
+    # MathJax keeps the source of each formula in a script
+    formulas=$(count '<script type="math/tex[^>]*>')
+    if [[ $formulas -lt 5 || $(count 'class="MathJax_SVG"') -ne $formulas ||
+          $(count 'class="(noError|merror|MathJax_Error)') -ne 0 || $(count 'id="amf-query"') -ne 1 ]]; then
+      echo "FAILED: $page in a browser: of $formulas formulas $(count 'class="MathJax_SVG"') were drawn"
+      failed=$((failed + 1))
+    fi
+  done
+  # without what draws them
+  checks=$((checks + 1))
+  mv "$folder/manual/html/mathjax" "$folder/mathjax"
+  rendered "$folder/manual/html/$page"
+  if [[ $(count 'class="MathJax_SVG"') -ne 0 ]]; then
+    echo "FAILED: formulas are drawn without MathJax"
+    failed=$((failed + 1))
+  fi
+  mv "$folder/mathjax" "$folder/manual/html/mathjax"
+else
+  echo "left out: formulas in a browser, without Chromium"
+fi
 
 # ------------------------------------------------------------------------------------------------------ faults in links
 
