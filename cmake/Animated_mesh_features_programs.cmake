@@ -29,8 +29,9 @@ function(animated_mesh_features_set_up target)
     if(ANIMATED_MESH_FEATURES_SANITIZE MATCHES "thread")
       # Plain threads in the place of TBB: why is told there.
       target_include_directories(${target} BEFORE PRIVATE "${PROJECT_SOURCE_DIR}/test/thread_sanitizer")
-      # CGAL's search trees would bring TBB's own headers beside them.
-      target_compile_definitions(${target} PRIVATE CGAL_DISABLE_TBB_STRUCTURE_IN_KD_TREE)
+      # CGAL's search trees would bring TBB's own headers beside them. Long tests leave out what is not parallel.
+      target_compile_definitions(${target} PRIVATE CGAL_DISABLE_TBB_STRUCTURE_IN_KD_TREE
+        ANIMATED_MESH_FEATURES_TEST_THREADS_ONLY)
     endif()
   endif()
 endfunction()

@@ -746,6 +746,7 @@ void test_suppression()
 int main()
 {
   test_against_brute_force();
+#ifndef ANIMATED_MESH_FEATURES_TEST_THREADS_ONLY
   test_small_variations();
   test_ties();
   test_constant_fields();
@@ -753,5 +754,6 @@ int main()
   test_interpolated_scales();
   test_refined_places();
   test_suppression();
+#endif
   return test_result();
 }

@@ -589,6 +589,11 @@ void test_scanned_surface(const std::string& file, const Bounds& bounds)
 
 int main()
 {
+  test_threads(Amf::Dijkstra_geodesic_balls());
+  test_threads(Amf::Heat_method_geodesic_balls());
+  test_threads(Amf::CGAL_heat_method_geodesic_balls());
+  test_threads(Amf::Global_heat_method_geodesic_balls());
+#ifndef ANIMATED_MESH_FEATURES_TEST_THREADS_ONLY
   test_dijkstra();
   test_known_surfaces();
   test_components_near_each_other();
@@ -598,11 +603,8 @@ int main()
   test_detour();
   test_clusters();
   test_renumbering_and_turning();
-  test_threads(Amf::Dijkstra_geodesic_balls());
-  test_threads(Amf::Heat_method_geodesic_balls());
-  test_threads(Amf::CGAL_heat_method_geodesic_balls());
-  test_threads(Amf::Global_heat_method_geodesic_balls());
   test_scanned_surface("horse-rest.obj", {0.93, 0.3, 0.915, 0.35, 0.97});
   test_scanned_surface("horse-rest-irregular.obj", {0.925, 0.3, 0.91, 0.3, 0.93});
+#endif
   return test_result();
 }

@@ -704,6 +704,8 @@ void test_png()
 
 int main()
 {
+  test_scene_pictures();
+#ifndef ANIMATED_MESH_FEATURES_TEST_THREADS_ONLY
   test_camera();
   test_triangles();
   test_sphere_outlines();
@@ -713,7 +715,7 @@ int main()
   test_letters();
   test_layout();
   test_automatic_view();
-  test_scene_pictures();
   test_png();
+#endif
   return test_result();
 }
