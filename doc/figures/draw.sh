@@ -22,7 +22,7 @@ detect() { "$programs/detect_features" --quiet "$@"; }
 say "features of the running figure"
 make figure --vertices 30000 -o "$data/large"
 detect "$data/large.obj" "$data/large.pc2" \
-  --png "$figures/running_figure.png" --frame 8 --frame 12 --frame 16 --frame 20 --png-size 1600x620
+  --rest average --png "$figures/running_figure.png" --frame 12 --frame 18 --frame 24 --png-size 1600x720
 make figure -o "$data/figure"
 figure=("$data/figure.obj" "$data/figure.pc2" --rest average)
 detect "${figure[@]}" -o "$data/figure.json"

@@ -17,7 +17,7 @@
 #include <CGAL/Animated_mesh_features/Feature_detector.h>
 #include <CGAL/Animated_mesh_features/Gaussian_temporal_filter.h>
 #include <CGAL/Animated_mesh_features/Heat_diffusion_filter.h>
-#include <CGAL/Animated_mesh_features/Rendering/Colour_map.h>
+#include <CGAL/Animated_mesh_features/Rendering/Palette.h>
 #include <CGAL/Animated_mesh_features/Scale_sampling.h>
 #include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
 

@@ -20,6 +20,7 @@ int main()
 
   #include <CGAL/Animated_mesh_features/Frame_sequence.h>
   #include <CGAL/Animated_mesh_features/IO/write_html.h>
+  #include <CGAL/Animated_mesh_features/Rendering/Palette.h>
   #include <CGAL/Animated_mesh_features/Spatio_temporal_feature.h>
 
   #include <CGAL/Simple_cartesian.h>
@@ -32,8 +33,10 @@ int main()
   #include <algorithm>
   #include <array>
   #include <cmath>
+  #include <cstddef>
   #include <limits>
   #include <sstream>
+  #include <string>
   #include <vector>
 
 using namespace CGAL::Animated_mesh_features;
@@ -254,6 +257,26 @@ std::string written(const Scene& scene, const IO::Html_options& options = IO::Ht
 
 // ---------------------------------------------------------------------------------------------------------- the tests
 
+// Colours at equal distances, between which the page interpolates, as near to the map as eight bits can be.
+void check_colours(const ptree& colours, const Rendering::Colour_map& map)
+{
+  std::vector<std::array<double, 3>> table;
+  for (const auto& c : colours) {
+    const std::string text = c.second.get_value<std::string>();
+    CHECK(text.size() == 7 && text[0] == '#');
+    table.push_back({});
+    for (std::size_t i = 0; i < 3; ++i) table.back()[i] = double(std::stoul(text.substr(1 + 2 * i, 2), nullptr, 16));
+  }
+  CHECK(table.size() > 2);
+  for (int i = 0; i <= 1000; ++i) {
+    const double x = i / 1000. * double(table.size() - 1);
+    const std::size_t k = std::min(std::size_t(x), table.size() - 2);
+    const auto expected = Rendering::encoded(map(i / 1000.));
+    for (std::size_t c = 0; c < 3; ++c)
+      CHECK_NEAR(table[k][c] + (x - double(k)) * (table[k + 1][c] - table[k][c]), expected[c], 2);
+  }
+}
+
 void test_what_is_written(double travel)
 {
   const Mesh mesh = sheet(9, 5);
@@ -279,6 +302,8 @@ void test_what_is_written(double travel)
   CHECK(d["frames"] == 5);
   CHECK_NEAR(d["bounding_box_diagonal"], sequence.rest_shape().bounding_box_diagonal(), 0);
   CHECK(report.frame_step == 1);
+  check_colours(d.description.get_child("colours.field"), Rendering::field_colours());
+  check_colours(d.description.get_child("colours.duration"), Rendering::duration_colours());
 
   CHECK(d.faces.size() == mesh.num_faces());
   std::size_t i = 0;

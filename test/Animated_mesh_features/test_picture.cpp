@@ -29,6 +29,7 @@
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace CGAL::Animated_mesh_features;
@@ -346,40 +347,83 @@ void test_colours()
   const Eigen::Array3d red = lab_from_linear(Colour(1, 0, 0));
   CHECK((red - Eigen::Array3d(53.24, 80.09, 67.20)).abs().maxCoeff() < 0.05); // as tables have it
   CHECK((linear_from_lab(red) - Colour(1, 0, 0)).abs().maxCoeff() < 1e-3f);
+}
 
-  // Equal steps, to within what rounding to the gamut and to a table cost.
+// A matrix for linear colours from Machado, Oliveira, Fernandes (IEEE TVCG 15(6), 2009), severity 1.0.
+Eigen::Matrix3f as_seen_without(char cones)
+{
+  Eigen::Matrix3f m;
+  if (cones == 'L') // protanopia
+    m << 0.152286f, 1.052583f, -0.204868f, 0.114503f, 0.786281f, 0.099216f, -0.003882f, -0.048116f, 1.051998f;
+  else // 'M', deuteranopia
+    m << 0.367322f, 0.860646f, -0.227968f, 0.280085f, 0.672501f, 0.047413f, -0.011820f, 0.042940f, 0.968881f;
+  return m;
+}
+
+// CIELAB of n + 1 equidistant colours of a map, as somebody sees them.
+std::vector<Eigen::Array3d> looks(const Colour_map& map, int n, const Eigen::Matrix3f& seen)
+{
+  std::vector<Eigen::Array3d> result;
+  for (int i = 0; i <= n; ++i)
+    result.push_back(lab_from_linear((seen * map(double(i) / n).matrix()).array().max(0.f).min(1.f)));
+  return result;
+}
+
+double difference(const Eigen::Array3d& a, const Eigen::Array3d& b)
+{
+  return (a - b).matrix().norm();
+}
+
+void test_palette()
+{
+  const Eigen::Matrix3f fully = Eigen::Matrix3f::Identity();
+  const int n = 32;
+  // Equal steps, to within what rounding to the gamut and to a table cost; and no colour beyond the ends.
   for (const Colour_map* map : {&field_colours(), &duration_colours()}) {
+    const std::vector<Eigen::Array3d> c = looks(*map, n, fully);
     double shortest = 1e9, longest = 0;
-    for (int i = 0; i < 32; ++i) {
-      const double step = (lab_from_linear((*map)((i + 1) / 32.)) - lab_from_linear((*map)(i / 32.))).matrix().norm();
-      shortest = std::min(shortest, step), longest = std::max(longest, step);
+    for (std::size_t i = 0; i < n; ++i) {
+      shortest = std::min(shortest, difference(c[i], c[i + 1]));
+      longest = std::max(longest, difference(c[i], c[i + 1]));
     }
-    CHECK(longest < 1.25 * shortest);
+    CHECK(longest < 1.1 * shortest);
     CHECK((*map)(-1).isApprox((*map)(0)) && (*map)(7).isApprox((*map)(1)));
   }
-  // Fields can be read by lightness alone.
-  for (int i = 0; i < 64; ++i)
-    CHECK(lab_from_linear(field_colours()((i + 1) / 64.))[0] < lab_from_linear(field_colours()(i / 64.))[0] - 0.5);
-  // Durations are told apart without red cones or without green ones: by the simulations of Vienot, Brettel and Mollon
-  // (1999), projections of linear colours.
-  Eigen::Matrix3f protan, deutan;
-  protan << 0.11238f, 0.88762f, 0, 0.11238f, 0.88762f, 0, 0.00401f, -0.00401f, 1;
-  deutan << 0.29275f, 0.70725f, 0, 0.29275f, 0.70725f, 0, -0.02234f, 0.02234f, 1;
-  for (const Eigen::Matrix3f& m : {protan, deutan})
-    for (int i = 0; i <= 12; ++i)
-      for (int j = 0; j + 4 <= i; ++j) {
-        const auto as_seen = [&](int k) {
-          const Colour c = (m * duration_colours()(k / 12.).matrix()).array().max(0.f).min(1.f);
-          return lab_from_linear(c);
-        };
-        const double difference = (as_seen(i) - as_seen(j)).matrix().norm();
-        if (!(difference > 15))
+
+  // Fields can be read by lightness alone, whoever reads them: it falls, in even steps.
+  for (const auto& [seen, evenness] : {std::make_pair(fully, 1.25), std::make_pair(as_seen_without('L'), 1.35),
+                                       std::make_pair(as_seen_without('M'), 1.35)}) {
+    const std::vector<Eigen::Array3d> c = looks(field_colours(), n, seen);
+    double least = 1e9, most = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      least = std::min(least, c[i][0] - c[i + 1][0]);
+      most = std::max(most, c[i][0] - c[i + 1][0]);
+    }
+    CHECK(least > 0 && most < evenness * least);
+    CHECK(c.front()[0] > 90 && c.back()[0] < 35);
+  }
+
+  // Durations are told apart by everybody: quarters of the scale differ clearly, the longer the way the more, and there
+  // is no place where nothing changes.
+  for (const Eigen::Matrix3f& seen : {fully, as_seen_without('L'), as_seen_without('M')}) {
+    const std::vector<Eigen::Array3d> c = looks(duration_colours(), n, seen);
+    for (std::size_t i = 0; i < n; ++i) CHECK(difference(c[i], c[i + 1]) > 2);
+    for (std::size_t i = 0; i <= n; ++i)
+      for (std::size_t j = i + n / 4; j <= n; ++j) {
+        if (!(difference(c[i], c[j]) > 17))
           report(false, __FILE__, __LINE__,
-                 "colours " + std::to_string(i) + ", " + std::to_string(j) + ": " + std::to_string(difference));
-        CHECK(difference > 15);
+                 "colours " + std::to_string(i) + ", " + std::to_string(j) + ": " +
+                     std::to_string(difference(c[i], c[j])));
+        CHECK(difference(c[i], c[j]) > 17);
       }
-  CHECK(duration_colours()(0)[2] > 3 * duration_colours()(0)[0]); // blue
-  CHECK(duration_colours()(1)[0] > 3 * duration_colours()(1)[2]); // red
+    CHECK(difference(c.front(), c.back()) > 90);
+    // and no colour of a feature is one of the surface
+    for (const Eigen::Array3d& feature : c)
+      for (const Eigen::Array3d& surface : looks(field_colours(), n, seen))
+        if ((seen - fully).isZero()) CHECK(difference(feature, surface) > 40);
+  }
+  CHECK(duration_colours()(0)[0] > 3 * duration_colours()(0)[2]); // red
+  CHECK(duration_colours()(1)[2] > 3 * duration_colours()(1)[0]); // blue
 }
 
 void test_letters()
@@ -712,6 +756,7 @@ int main()
   test_translucency();
   test_light();
   test_colours();
+  test_palette();
   test_letters();
   test_layout();
   test_automatic_view();

@@ -317,6 +317,15 @@ async function testColors(page) {
     check(steps.every((s) => s / mean > 0.5 && s / mean < 1.6), `${name}: steps of lightness ${steps.map((s) => (s / mean).toFixed(2))}`);
   }
   await set(page, { map: "sand" });
+  const used = await page.evaluate(() => {
+    const bytes = viewer.stage.surface.map.image.data, hex = (rgb) => `#${Array.from(rgb, (x) => x.toString(16).padStart(2, "0")).join("")}`;
+    const { field } = viewer.scene.colours, last = field.length - 1;
+    return field.map((color, i) => [hex(bytes.subarray(4 * Math.round((i * 255) / last), 4 * Math.round((i * 255) / last) + 3)), color]);
+  });
+  check(used[0][0] === used[0][1] && used.at(-1)[0] === used.at(-1)[1], `the colours of the scene are used: ${used[0]}, ${used.at(-1)}`);
+  const ramp = await page.evaluate(() => [getComputedStyle(document.getElementById("duration-ramp")).backgroundImage, viewer.scene.colours.duration]);
+  const ends = [ramp[1][0], ramp[1].at(-1)].map((hex) => `rgb(${[1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16)).join(", ")})`);
+  check(ends.every((rgb) => ramp[0].includes(rgb)), `the legend of durations goes from ${ends[0]} to ${ends[1]}: ${ramp[0]}`);
 }
 
 async function testKeyboard(page) {

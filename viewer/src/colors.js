@@ -20,47 +20,23 @@ export const MAPS = ["sand", "viridis", "cividis"];
 export const MAP_SIZE = 256;
 
 const clamp = (x) => Math.min(Math.max(x, 0), 1);
-const gamma = (x) => (x <= 0.0031308 ? 12.92 * x : 1.055 * x ** (1 / 2.4) - 0.055);
-const linear = (x) => (x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4);
 
-/** sRGB, 0 to 1, from Oklab, in which equal distances look equal (B. Ottosson, 2020). */
-function rgbOfOklab([L, a, b]) {
-  const l = (L + 0.3963377774 * a + 0.2158037573 * b) ** 3;
-  const m = (L - 0.1055613458 * a - 0.0638541728 * b) ** 3;
-  const s = (L - 0.0894841775 * a - 1.291485548 * b) ** 3;
-  return [
-    4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
-    -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
-    -0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s,
-  ].map((x) => clamp(gamma(clamp(x))));
+/** Red, green and blue, 0 to 1, from "#rrggbb" or "rrggbb". */
+const hexColor = (hex) => [0, 2, 4].map((i) => parseInt(hex.replace("#", "").slice(i, i + 2), 16) / 255);
+
+const maps = Object.fromEntries(Object.entries(TABLES).map(([name, table]) => [name, table.split(" ").map(hexColor)]));
+
+/** Takes the package's own maps, which are defined in Rendering/Palette.h, from the scene: colours at equal distances. */
+export function useColors({ field, duration }) {
+  maps.sand = field.map(hexColor);
+  maps.duration = duration.map(hexColor);
 }
-
-export function oklabOfRgb(rgb) {
-  const [r, g, b] = rgb.map(linear);
-  const l = Math.cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
-  const m = Math.cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
-  const s = Math.cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
-  return [
-    0.2104542553 * l + 0.793617785 * m - 0.0040720468 * s,
-    1.9779984951 * l - 2.428592205 * m + 0.4505937099 * s,
-    0.0259040371 * l + 0.7827717662 * m - 0.808675766 * s,
-  ];
-}
-
-/** Ours: from the colour of sand to a deep blue-green, lightness linear, so that what does not deform looks like clay. */
-function sand(t) {
-  const chroma = 0.022 + 0.068 * t, hue = ((85 + 165 * t ** 0.8) * Math.PI) / 180;
-  return rgbOfOklab([0.9 - 0.52 * t, chroma * Math.cos(hue), chroma * Math.sin(hue)]);
-}
-
-const hexColor = (hex) => [0, 2, 4].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255);
 
 /** The colour at `t` from 0 to 1: red, green, blue from 0 to 1. */
 export function mapColor(name, t) {
-  if (name === "sand") return sand(t);
-  const table = TABLES[name].split(" ").map(hexColor);
-  const x = clamp(t) * (table.length - 1), i = Math.min(Math.floor(x), table.length - 2);
-  return table[i].map((c, k) => c + (x - i) * (table[i + 1][k] - c));
+  const map = maps[name];
+  const x = clamp(t) * (map.length - 1), i = Math.min(Math.floor(x), map.length - 2);
+  return map[i].map((c, k) => c + (x - i) * (map[i + 1][k] - c));
 }
 
 /** MAP_SIZE colours, four bytes each. */
@@ -75,13 +51,8 @@ export function mapBytes(name) {
 
 export const css = (rgb, alpha = 1) => `rgb(${rgb.map((c) => Math.round(255 * c)).join(" ")} / ${alpha})`;
 
-const SHORT = oklabOfRgb(hexColor("e8352c")), MIDDLE = oklabOfRgb(hexColor("c04fb4")), LONG = oklabOfRgb(hexColor("2b66f0"));
-
 /** Red for short events (0), blue for long ones (1), as in the paper. */
-export function durationColor(t) {
-  const x = 2 * clamp(t), [a, b] = x < 1 ? [SHORT, MIDDLE] : [MIDDLE, LONG], s = x < 1 ? x : x - 1;
-  return rgbOfOklab(a.map((c, k) => c + s * (b[k] - c)));
-}
+export const durationColor = (t) => mapColor("duration", t);
 
 /** A function that gives the place of a feature's tau among all, in logarithms, from 0 to 1. */
 export function durationScale(features) {

@@ -6,7 +6,7 @@
 
 // The page: reads the scene, puts the parts together, and lets time pass.
 
-import { MAPS, durationColor, durationScale, gradient, mapColor } from "./colors.js";
+import { MAPS, durationColor, durationScale, gradient, mapColor, useColors } from "./colors.js";
 import { count, seconds, short } from "./format.js";
 import { listen } from "./keyboard.js";
 import { Player } from "./player.js";
@@ -23,6 +23,7 @@ const $ = (id) => document.getElementById(id);
 class Viewer {
   constructor(scene) {
     this.scene = scene;
+    useColors(scene.colours);
     const strengths = scene.features.map((f) => f.strength);
     this.weakest = strengths.length > 0 ? Math.min(...strengths) : 0;
     this.strongest = strengths.length > 0 ? Math.max(...strengths) : 0;

@@ -10,9 +10,11 @@
 #include <CGAL/Animated_mesh_features/IO/Picture_options.h>
 #include <CGAL/Animated_mesh_features/IO/Scene.h>
 #include <CGAL/Animated_mesh_features/IO/feature_in_frame.h>
+#include <CGAL/Animated_mesh_features/IO/internal/colour_scales.h>
 #include <CGAL/Animated_mesh_features/Rendering/Body_view.h>
 #include <CGAL/Animated_mesh_features/Rendering/Contact_sheet.h>
 #include <CGAL/Animated_mesh_features/Rendering/Legend.h>
+#include <CGAL/Animated_mesh_features/Rendering/Palette.h>
 #include <CGAL/Animated_mesh_features/Rendering/Panel_cameras.h>
 #include <CGAL/Animated_mesh_features/Rendering/render.h>
 
@@ -45,6 +47,7 @@ class Scene_pictures
 public:
   explicit Scene_pictures(const Scene& scene)
     : m_scene(scene)
+    , m_places(relative_taus(scene.features))
   {
     for (const auto& t : scene.sequence.rest_shape().triangles())
       m_triangles.push_back({{std::uint32_t(t[0]), std::uint32_t(t[1]), std::uint32_t(t[2])}});
@@ -75,9 +78,10 @@ public:
   {
     const double step = m_scene.sequence.frame_duration();
     // What is inside of larger ones should be seen.
-    const double largest_filled = 0.07 * m_scene.sequence.rest_shape().bounding_box_diagonal();
+    const double largest_filled = 0.08 * m_scene.sequence.rest_shape().bounding_box_diagonal();
     std::vector<Sphere> result;
-    for (const auto& f : m_scene.features) {
+    for (std::size_t i = 0; i < m_scene.features.size(); ++i) {
+      const auto& f = m_scene.features[i];
       if (!lives_in_frame(f, frame, step)) continue;
       const std::array<double, 3> p = position_in_frame(m_scene.sequence, f, frame);
       Sphere s;
@@ -85,9 +89,7 @@ public:
       s.radius = f.radius();
       s.opacity = float(opacity_in_frame(f, frame, step));
       s.filling = float((std::min)(1., largest_filled / s.radius));
-      const double range = m_longest > m_shortest ? std::log(m_longest / m_shortest) : 1;
-      s.colour =
-          Animated_mesh_features::Rendering::duration_colours()(f.tau > 0 ? std::log(m_longest / f.tau) / range : 1);
+      s.colour = Animated_mesh_features::Rendering::duration_colours()(m_places[i]);
       result.push_back(s);
     }
     return result;
@@ -99,10 +101,10 @@ public:
     std::vector<Legend_bar> bars;
     if (has_field())
       bars.push_back({m_scene.fields.front().name, short_number(m_low, 2),
-                      (m_is_cut ? "\xe2\x89\xa5 " : "") + short_number(m_high, 2), &field_colours(), false});
-    if (m_longest > 0) // blue, long, to red, short
+                      (m_is_cut ? "\xe2\x89\xa5 " : "") + short_number(m_high, 2), &field_colours()});
+    if (m_longest > 0)
       bars.push_back({"duration \xcf\x84", short_number(m_shortest, 2) + " s", short_number(m_longest, 2) + " s",
-                      &duration_colours(), true});
+                      &duration_colours()});
     return bars;
   }
 
@@ -153,6 +155,7 @@ private:
   }
 
   const Scene& m_scene;
+  std::vector<double> m_places; // of tau, on the scale of colours
   std::vector<Surface::Triangle> m_triangles;
   double m_low = 0, m_high = 0;         // of the field
   bool m_is_cut = false;                // whether there are greater values
@@ -162,7 +165,7 @@ private:
 // The height of capitals, pixels: readable also when the picture is shown at half its size.
 inline double text_height(std::size_t width, std::size_t height)
 {
-  return (std::max)(6., 0.0135 * std::sqrt(double(width) * double(height)));
+  return (std::max)(6., 0.016 * std::sqrt(double(width) * double(height)));
 }
 
 } // namespace internal

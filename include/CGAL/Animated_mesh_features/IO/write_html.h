@@ -15,6 +15,7 @@
 #include <CGAL/Animated_mesh_features/IO/internal/base64.h>
 #include <CGAL/Animated_mesh_features/IO/internal/deflate.h>
 #include <CGAL/Animated_mesh_features/IO/write_json.h>
+#include <CGAL/Animated_mesh_features/Rendering/Palette.h>
 #include <CGAL/Animated_mesh_features/exceptions.h>
 
 #include <array>
@@ -92,7 +93,8 @@ private:
       out.raw(", ").member("min", m_fields[i].min()).raw(", ").member("max", m_fields[i].max());
       out.raw(", ").member("largest", m_fields[i].largest()).raw("}");
     }
-    out.raw("],\n ");
+    out.raw("],\n \"colours\": {").member("field", samples(Animated_mesh_features::Rendering::field_colours()));
+    out.raw(",\n  ").member("duration", samples(Animated_mesh_features::Rendering::duration_colours())).raw("},\n ");
     write_json_features(out, m_scene.features);
     out.raw("}\n").flush();
 
@@ -119,6 +121,16 @@ private:
     std::vector<std::vector<std::int64_t>> result;
     for (const std::size_t f : m_frames)
       result.push_back({m_positions.corner(0, f), m_positions.corner(1, f), m_positions.corner(2, f)});
+    return result;
+  }
+
+  // Colours of a map from 0 to 1: so many that it is straight between them, to within rounding.
+  static std::vector<std::string> samples(const Animated_mesh_features::Rendering::Colour_map& map)
+  {
+    const std::size_t n = 129;
+    std::vector<std::string> result;
+    using namespace Animated_mesh_features::Rendering;
+    for (std::size_t i = 0; i < n; ++i) result.push_back(hexadecimal(encoded(map(double(i) / double(n - 1)))));
     return result;
   }
 

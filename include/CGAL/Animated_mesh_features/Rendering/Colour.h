@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string>
 
 namespace CGAL {
 namespace Animated_mesh_features {
@@ -76,6 +77,22 @@ inline Srgb8 encoded(const Colour& c)
     result[std::size_t(i)] = std::uint8_t(s * 255 + 0.5f);
   }
   return result;
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+`#rrggbb`, as style sheets have it.
+*/
+inline std::string hexadecimal(const Srgb8& c)
+{
+  const char* const digits = "0123456789abcdef";
+  std::string text = "#";
+  for (const std::uint8_t x : c) {
+    text += digits[x / 16];
+    text += digits[x % 16];
+  }
+  return text;
 }
 
 /*!

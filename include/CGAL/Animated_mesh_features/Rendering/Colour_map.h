@@ -72,32 +72,6 @@ private:
   std::vector<Colour> m_colours;
 };
 
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
-
-the map for fields on the surface: from ivory, where nothing happens, over amber and crimson to dark violet. Its
-lightness falls all the way from 93 to 25, so that it can be read without seeing colours, and in print. Made for this
-package.
-*/
-inline const Colour_map& field_colours()
-{
-  static const Colour_map map({{93, 1, 7}, {82, 13, 34}, {66, 39, 40}, {46, 54, 12}, {25, 36, -26}});
-  return map;
-}
-
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
-
-the map for the temporal scale: 0, the longest, is blue, 1, the shortest, is red; green and yellow between them are
-lighter, so that they are told apart also by those who confuse red and green. Made for this package.
-*/
-inline const Colour_map& duration_colours()
-{
-  static const Colour_map map(
-      {{36, 14, -58}, {56, -12, -40}, {74, -32, -2}, {86, -14, 52}, {67, 38, 58}, {44, 64, 40}});
-  return map;
-}
-
 } // namespace Rendering
 } // namespace Animated_mesh_features
 } // namespace CGAL

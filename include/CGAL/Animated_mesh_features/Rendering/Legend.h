@@ -31,7 +31,6 @@ struct Legend_bar
   std::string low;                     ///< the number at its left end.
   std::string high;                    ///< the number at its right end.
   const Colour_map* colours = nullptr; ///< not owned.
-  bool is_reversed = false;            ///< the map's end is for the low number.
 };
 
 /*!
@@ -94,7 +93,7 @@ inline void draw_legend(Srgb_image& image, const std::vector<Legend_bar>& bars, 
                last = std::lround(base - size / 2 + bar_height / 2);
     for (long i = left; i < right; ++i) {
       const double t = (double(i - left) + 0.5) / double(right - left);
-      const Srgb8 colour = encoded((*b.colours)(b.is_reversed ? 1 - t : t));
+      const Srgb8 colour = encoded((*b.colours)(t));
       for (long j = first; j < last; ++j) blend(image, i, j, colour, 1);
     }
     x += length + gap;

@@ -140,7 +140,7 @@ private:
     const Eigen::Vector3d to_eye = -ray.normalized();
     const float grazing = float(1 - (std::max)(0., normal.dot(to_eye)));
     // as much glass as the ray passes, and more towards the outline
-    const float glass = (0.40f + 0.35f * grazing * grazing) * s.filling;
+    const float glass = (0.55f + 0.35f * grazing * grazing) * s.filling;
     const float light = float(0.75 + 0.25 * normal.dot(m_to_light));
     colour = mix(colour, light * s.colour, glass * s.opacity);
     // the outline, as wide as a line whatever the size of the sphere
@@ -153,7 +153,7 @@ private:
     colour = mix(colour, Colour::Ones(), 0.75f * shine * s.opacity);
   }
 
-  static Colour dark(const Sphere& s) { return 0.3f * s.colour; }
+  static Colour dark(const Sphere& s) { return 0.4f * s.colour; }
   static constexpr float line_opacity = 0.85f;
 
   std::vector<Sphere> m_spheres;

@@ -8,7 +8,7 @@
 #define CGAL_ANIMATED_MESH_FEATURES_RENDERING_RENDER_H
 
 #include <CGAL/Animated_mesh_features/Rendering/Camera.h>
-#include <CGAL/Animated_mesh_features/Rendering/Colour_map.h>
+#include <CGAL/Animated_mesh_features/Rendering/Palette.h>
 #include <CGAL/Animated_mesh_features/Rendering/Ground.h>
 #include <CGAL/Animated_mesh_features/Rendering/Illumination.h>
 #include <CGAL/Animated_mesh_features/Rendering/Image.h>

@@ -10,7 +10,8 @@
 #include <CGAL/Animated_mesh_features/IO/Scene.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Plot_axis.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Svg_output.h>
-#include <CGAL/Animated_mesh_features/IO/internal/scene_colours.h>
+#include <CGAL/Animated_mesh_features/IO/internal/colour_scales.h>
+#include <CGAL/Animated_mesh_features/Rendering/Palette.h>
 
 #include <algorithm>
 #include <cmath>
@@ -125,6 +126,13 @@ private:
     m_out.text(x, y, name, "middle", (" transform=\"rotate(-90 " + pixels(x) + " " + pixels(y) + ")\"").c_str());
   }
 
+  // The colour of a duration: see relative_taus().
+  static std::string css_colour(double place)
+  {
+    using namespace Animated_mesh_features::Rendering;
+    return hexadecimal(encoded(duration_colours()(place)));
+  }
+
   double radius(double sigma) const
   {
     return m_most_sigma > 0 ? (std::max)(smallest_circle, sigma / m_most_sigma * largest_circle) : smallest_circle;
@@ -149,7 +157,7 @@ private:
                      [&](std::size_t a, std::size_t b) { return m_features[a].sigma > m_features[b].sigma; });
     for (std::size_t i : order) {
       const Feature& f = m_features[i];
-      const std::string colour = hexadecimal(tau_colour(m_places[i]));
+      const std::string colour = css_colour(m_places[i]);
       const double x = time(f.time), y = strength(f.strength());
       const auto inside = [&](double t) { return time((std::min)(time.max, (std::max)(time.min, t))); };
       m_out.raw("<g class=\"feature\" fill=\"" + colour + "\" stroke=\"" + colour + "\">");
@@ -183,7 +191,7 @@ private:
     m_out.raw("<linearGradient id=\"scale-of-tau\">");
     for (int i = 0; i <= stops; ++i)
       m_out.raw("<stop offset=\"" + decimal(std::lround(1000. * i / stops), -3) + "\" stop-color=\"" +
-                hexadecimal(tau_colour(double(i) / stops)) + "\"/>");
+                css_colour(double(i) / stops) + "\"/>");
     m_out.raw("</linearGradient>\n");
     const auto taus = std::minmax_element(m_features.begin(), m_features.end(),
                                           [](const Feature& a, const Feature& b) { return a.tau < b.tau; });
@@ -216,10 +224,9 @@ private:
       const double from = begin + (end - begin) * double(i) / double(bins),
                    to = begin + (end - begin) * double(i + 1) / double(bins), gap = 1;
       // the scale of colours is by ratio as well
-      const std::string attributes =
-          by_tau && *range.second > *range.first
-              ? "fill=\"" + hexadecimal(tau_colour((double(i) + 0.5) / double(bins))) + "\" class=\"tau\""
-              : "class=\"count\"";
+      const std::string attributes = by_tau && *range.second > *range.first
+                                         ? "fill=\"" + css_colour((double(i) + 0.5) / double(bins)) + "\" class=\"tau\""
+                                         : "class=\"count\"";
       m_out.raw("<g>");
       m_out.title(rounded(min * std::pow(max / min, double(i) / double(bins))) + " to " +
                   rounded(min * std::pow(max / min, double(i + 1) / double(bins))) + ": " + std::to_string(counts[i]));

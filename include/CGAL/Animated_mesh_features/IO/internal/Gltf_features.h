@@ -10,7 +10,8 @@
 #include <CGAL/Animated_mesh_features/IO/Scene.h>
 #include <CGAL/Animated_mesh_features/IO/feature_in_frame.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Gltf_buffer.h>
-#include <CGAL/Animated_mesh_features/IO/internal/scene_colours.h>
+#include <CGAL/Animated_mesh_features/IO/internal/colour_scales.h>
+#include <CGAL/Animated_mesh_features/Rendering/Palette.h>
 #include <CGAL/Animated_mesh_features/IO/internal/surface_shapes.h>
 #include <CGAL/Animated_mesh_features/IO/write_json.h>
 
@@ -72,11 +73,11 @@ public:
 
   void write_materials(Json_output& out) const
   {
-    const double opacity = 0.6; // the surface is to be seen within
+    const float opacity = 0.6f; // the surface is to be seen within
     for (std::size_t step : m_steps) {
-      const Linear_rgb c = tau_colour(double(step) / double(tau_steps - 1));
+      const auto c = Animated_mesh_features::Rendering::duration_colours()(double(step) / double(tau_steps - 1));
       out.raw(",\n{").member("name", name(step)).raw(",\"pbrMetallicRoughness\":{");
-      out.member("baseColorFactor", std::array<double, 4>{{c[0], c[1], c[2], opacity}});
+      out.member("baseColorFactor", std::array<float, 4>{{c[0], c[1], c[2], opacity}});
       out.raw(",\"metallicFactor\":0,\"roughnessFactor\":0.5},\"alphaMode\":\"BLEND\"}");
     }
   }

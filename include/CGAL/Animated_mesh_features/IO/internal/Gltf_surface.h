@@ -10,7 +10,8 @@
 #include <CGAL/Animated_mesh_features/IO/Scene.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Gltf_buffer.h>
 #include <CGAL/Animated_mesh_features/IO/internal/for_each_frame.h>
-#include <CGAL/Animated_mesh_features/IO/internal/scene_colours.h>
+#include <CGAL/Animated_mesh_features/IO/internal/colour_scales.h>
+#include <CGAL/Animated_mesh_features/Rendering/Palette.h>
 #include <CGAL/Animated_mesh_features/IO/internal/surface_shapes.h>
 #include <CGAL/Animated_mesh_features/IO/write_json.h>
 #include <CGAL/Animated_mesh_features/Rest_shape.h>
@@ -35,6 +36,8 @@ namespace internal {
 template <class Sequence, class Feature>
 class Gltf_surface
 {
+  typedef Animated_mesh_features::Rendering::Colour Colour; // in linear light, as glTF has it
+
 public:
   // Reserves the place of the targets: nothing can be added behind them.
   Gltf_surface(const Scene<Sequence, Feature>& scene, Gltf_buffer& buffer)
@@ -74,9 +77,9 @@ public:
 
   void write_material(Json_output& out) const
   {
-    const Linear_rgb c = has_colours() ? Linear_rgb{{1, 1, 1}} : field_colour(0);
+    const Colour c = has_colours() ? Colour(1, 1, 1) : colour(0);
     out.raw("\n{\"name\":\"surface\",\"pbrMetallicRoughness\":{");
-    out.member("baseColorFactor", std::array<double, 4>{{c[0], c[1], c[2], 1}});
+    out.member("baseColorFactor", std::array<float, 4>{{c[0], c[1], c[2], 1}});
     // it may have a border, or be inside out
     out.raw(",\"metallicFactor\":0,\"roughnessFactor\":0.8},\"doubleSided\":true}");
   }
@@ -99,9 +102,9 @@ private:
     std::size_t position = 0, normal = 0, colour = 0;
   };
 
-  Linear_rgb colour(double value) const
+  Colour colour(double value) const
   {
-    return field_colour(m_top > 0 ? (std::min)(1., (std::max)(0., value / m_top)) : 0);
+    return Animated_mesh_features::Rendering::field_colours()(m_top > 0 ? value / m_top : 0);
   }
 
   // Frame 0 and the colours; the bounds of the differences of all frames from frame 0.
@@ -121,7 +124,7 @@ private:
       bounds.push_back(Gltf_buffer::bounds(difference.data(), difference.size(), 3));
     });
     for (float value : most) {
-      for (double x : colour(value)) m_colours.push_back(std::uint8_t(std::lround(255 * x)));
+      for (float x : colour(value)) m_colours.push_back(std::uint8_t(std::lround(255 * x)));
       m_colours.push_back(255);
     }
     return bounds;
@@ -161,7 +164,7 @@ private:
   {
     std::vector<std::int8_t> differences(4 * values.size(), 0); // opacity does not change
     for (std::size_t v = 0; v < values.size(); ++v) {
-      const Linear_rgb now = colour(values[v]);
+      const Colour now = colour(values[v]);
       for (std::size_t c = 0; c < 3; ++c)
         differences[4 * v + c] = std::int8_t(std::lround(127 * (now[c] - m_colours[4 * v + c] / 255.)));
     }

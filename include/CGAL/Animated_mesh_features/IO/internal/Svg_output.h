@@ -9,7 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/IO/internal/Plot_axis.h>
 #include <CGAL/Animated_mesh_features/IO/internal/append_xml_text.h>
-#include <CGAL/Animated_mesh_features/IO/internal/scene_colours.h>
+#include <CGAL/Animated_mesh_features/Rendering/Colour.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,19 +25,6 @@ namespace internal {
 inline std::string pixels(double x)
 {
   return decimal(std::llround(100 * x), -2);
-}
-
-// "#rrggbb"
-inline std::string hexadecimal(const Linear_rgb& rgb)
-{
-  const char* const digits = "0123456789abcdef";
-  std::string text = "#";
-  for (double x : rgb) {
-    const long byte = std::lround(255 * (std::min)(1., (std::max)(0., srgb_of_linear(x))));
-    text += digits[byte / 16];
-    text += digits[byte % 16];
-  }
-  return text;
 }
 
 // The elements of a drawing. Classes refer to its style sheet.
