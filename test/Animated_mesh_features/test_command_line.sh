@@ -8,35 +8,9 @@
 # The command line of detect_features: every option, every kind of bad input, files and exit codes.
 # DETECT_FEATURES and MAKE_ANIMATION are the programs; without them, or without python3, the test is skipped (77).
 
-set -u
-program="${DETECT_FEATURES:-}"
-generator="${MAKE_ANIMATION:-}"
-if [[ -z "$program" || -z "$generator" ]] || ! command -v python3 >/dev/null; then
-  echo "skipped: needs DETECT_FEATURES, MAKE_ANIMATION and python3"
-  exit 77
-fi
-
-folder="$(mktemp -d)"
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failed=0
-checks=0
-
-fail() {
-  echo "failed: $*"
-  failed=1
-}
-
-# expect <exit code> <part of the messages> <arguments...>: leaves the two outputs in the files out and err.
-expect() {
-  local code="$1" message="$2"
-  shift 2
-  checks=$((checks + 1))
-  "$program" "$@" >out 2>err </dev/null
-  local got=$?
-  [[ $got -eq $code ]] || fail "$*: exit code $got, not $code: $(head -c 300 err)"
-  [[ -z "$message" ]] || grep -qF -- "$message" err || fail "$*: no message \"$message\" but: $(head -c 300 err)"
-}
+source "$(dirname "${BASH_SOURCE[0]}")/shell_test.bash"
+needs detect_features make_animation python3
+enter_empty_folder
 
 # usage, input, output <part of the message> <arguments...>: the error of that kind, and nothing written
 usage() { expect 2 "$@" && nothing_written; }

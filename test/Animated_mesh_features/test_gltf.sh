@@ -10,43 +10,19 @@
 # DETECT_FEATURES is the program and TEST_ANIMATED_MODELS the test that writes what is read, WITH_FORMATS says which
 # libraries they were built with. Real files are fetched to ASSETS; a part that cannot run here is told as SKIPPED.
 
-set -u
-program="${DETECT_FEATURES:-}"
+source "$(dirname "${BASH_SOURCE[0]}")/shell_test.bash"
 dump="${TEST_ANIMATED_MODELS:-}"
 formats="${WITH_FORMATS:-}"
-here="$(cd "$(dirname "$0")" && pwd)"
-if [[ -z "$program" || -z "$dump" || " $formats " != *" tinygltf "* ]] || ! command -v python3 >/dev/null; then
-  echo "skipped: needs DETECT_FEATURES, TEST_ANIMATED_MODELS, tinygltf and python3"
-  exit 77
-fi
+needs detect_features python3
+[[ -n "$dump" && " $formats " == *" tinygltf "* ]] || skip "needs TEST_ANIMATED_MODELS and tinygltf"
 assets="${ASSETS:-$PWD/assets}"
+enter_empty_folder
 
-folder="$(mktemp -d)"
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-export PYTHONDONTWRITEBYTECODE=1
-failed=0
-
-fail() {
-  echo "failed: $*"
-  failed=1
-}
-
-# expect <exit code> <part of the messages> <arguments...>: leaves the two outputs in the files out and err
-expect() {
-  local code="$1" message="$2"
-  shift 2
-  "$program" "$@" >out 2>err </dev/null
-  local got=$?
-  [[ $got -eq $code ]] || fail "$*: exit code $got, not $code: $(head -c 300 err)"
-  [[ -z "$message" ]] || grep -qF -- "$message" err || fail "$*: no message \"$message\" but: $(head -c 300 err)"
-}
-
-python3 "$here/gltf_files/check_gltf.py" "$dump" || fail "made files"
+python3 "$tests/gltf_files/check_gltf.py" "$dump" || fail "made files"
 
 cube=/usr/share/assimp/models/glTF2/glTF-Sample-Models/AnimatedMorphCube-glTF/AnimatedMorphCube.gltf
 if [[ -f "$cube" ]]; then
-  python3 "$here/gltf_files/check_gltf.py" "$dump" "$cube" Square 127 8 || fail "AnimatedMorphCube"
+  python3 "$tests/gltf_files/check_gltf.py" "$dump" "$cube" Square 127 8 || fail "AnimatedMorphCube"
 else
   echo "SKIPPED: AnimatedMorphCube, since Debian's package assimp-testmodels is not here"
 fi
@@ -85,7 +61,7 @@ PYTHON
 fi
 
 hands=true
-"$here/../../scripts/fetch_hands.sh" "$assets"
+"$tests/../../scripts/fetch_hands.sh" "$assets"
 case $? in
   0) ;;
   77) hands=false ;;
@@ -97,7 +73,7 @@ if ! $hands; then
 fi
 right="$assets/rightHandHigh.glb"
 left="$assets/leftHandHigh.glb"
-python3 "$here/gltf_files/check_gltf.py" "$dump" "$right" Fist 9 1162 "$left" "Point + Thumb" 4 1162 || fail "the hands"
+python3 "$tests/gltf_files/check_gltf.py" "$dump" "$right" Fist 9 1162 "$left" "Point + Thumb" 4 1162 || fail "the hands"
 
 # ----------------------------------------------------------------------------------------------------- the program
 
@@ -142,7 +118,7 @@ assert y["animation"]["frames"] == 26 and y["animation"]["frame_duration"] == 0.
 PYTHON
 
 # A mirrored hand has the same features; the left hand is one in its bones and skin, but makes a fist of its own.
-compare=(python3 "$here/gltf_files/compare_hands.py")
+compare=(python3 "$tests/gltf_files/compare_hands.py")
 fist=(--clip Fist --there-and-back --quiet)
 "${compare[@]}" mirror hand.glb mirrored.glb || fail "mirroring"
 cp x.json right.json

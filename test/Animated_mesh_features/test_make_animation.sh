@@ -8,31 +8,17 @@
 # The command line of make_animation: what it writes, and how it fails.
 # MAKE_ANIMATION is the program; without it the test is skipped (77).
 
-set -u
-program="${MAKE_ANIMATION:-}"
-if [[ -z "$program" ]]; then
-  echo "MAKE_ANIMATION is not set"
-  exit 77
-fi
+source "$(dirname "${BASH_SOURCE[0]}")/shell_test.bash"
+needs make_animation
+enter_empty_folder
+program="$generator"
 
-folder="$(mktemp -d)"
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failed=0
-
-fail() {
-  echo "failed: $*"
-  failed=1
-}
-
-# expect <exit code> <part of the message> <arguments...>
-expect() {
-  local code="$1" message="$2"
-  shift 2
-  "$program" "$@" >out 2>err
-  local got=$?
-  [[ $got -eq $code ]] || fail "$*: exit code $got, not $code"
-  grep -qF -- "$message" out err || fail "$*: no message \"$message\""
+# tells <part of the standard output> <arguments...>
+tells() {
+  local message="$1"
+  shift
+  expect 0 "" "$@"
+  grep -qF -- "$message" out || fail "$*: no \"$message\" but: $(head -c 300 out)"
 }
 
 # A 32-bit little-endian integer, or a float as its bits, from place $2 of file $1.
@@ -53,23 +39,23 @@ check_files() {
   [[ $size -eq $expected ]] || fail "$1.pc2: $size bytes, not $expected"
 }
 
-expect 0 "48 frames, 30 in a second" figure --vertices 2000 -o figure
+tells "48 frames, 30 in a second" figure --vertices 2000 -o figure
 check_files figure 48
-expect 0 "48 frames" figure --vertices 2000 -o again
+tells "48 frames" figure --vertices 2000 -o again
 cmp -s figure.obj again.obj && cmp -s figure.pc2 again.pc2 || fail "a second run writes something else"
 
-expect 0 "60 frames" cylinder -o cylinder
+tells "60 frames" cylinder -o cylinder
 check_files cylinder 60
 [[ "$(grep -c '^v ' cylinder.obj)" -eq 4394 ]] || fail "the cylinder has another default number of vertices"
 # Twice the frames in the same time: every other one as before.
-expect 0 "120 frames, 60 in a second" cylinder --fps 60 -o faster
+tells "120 frames, 60 in a second" cylinder --fps 60 -o faster
 check_files faster 120
 frame=$((12 * 4394))
 cmp -s <(tail -c +33 cylinder.pc2 | tail -c +$((15 * frame + 1)) | head -c $frame) \
   <(tail -c +33 faster.pc2 | tail -c +$((30 * frame + 1)) | head -c $frame) || fail "another motion at 60 frames a second"
-expect 0 "7 frames" cylinder --frames 7 --vertices 500 --output short
+tells "7 frames" cylinder --frames 7 --vertices 500 --output short
 check_files short 7
-expect 0 "Exit codes" --help
+tells "Exit codes" --help
 
 expect 2 "say what to make"
 expect 2 "dog" dog -o x

@@ -8,16 +8,12 @@
 # The viewer in a browser, see test/viewer/browser_test.mjs. DETECT_FEATURES and MAKE_ANIMATION are the programs. Skipped (77)
 # without them, without Chromium, Node.js and npm, without a network, or if the program has no viewer.
 
-set -u
-source_folder="$(cd "$(dirname "${BASH_SOURCE[0]}")/../viewer" && pwd)"
+source "$(dirname "${BASH_SOURCE[0]}")/shell_test.bash"
+source_folder="$(cd "$tests/../viewer" && pwd)"
 node="$(command -v node || command -v nodejs)"
 browser="$(command -v chromium || command -v chromium-browser || command -v google-chrome)"
-skip() {
-  echo "skipped: $*"
-  exit 77
-}
-[[ -n "${DETECT_FEATURES:-}" && -n "${MAKE_ANIMATION:-}" ]] || skip "needs DETECT_FEATURES and MAKE_ANIMATION"
-[[ -n "$node" ]] && command -v npm >/dev/null || skip "needs Node.js and npm"
+[[ -n "$node" ]] || skip "needs Node.js"
+needs detect_features make_animation npm
 [[ -n "$browser" ]] || skip "needs Chromium"
 
 cp "$source_folder"/*.json "$source_folder"/*.*js .
@@ -28,16 +24,16 @@ if ! npm ci --prefer-offline --ignore-scripts --no-audit --no-fund --fetch-retri
 fi
 
 # a small animation to look at closely, and one of the size that has a limit
-"$MAKE_ANIMATION" figure --vertices 1500 --fps 15 -o small >/dev/null || exit 1
+"$generator" figure --vertices 1500 --fps 15 -o small >/dev/null || exit 1
 options=()
-"$DETECT_FEATURES" --help | grep -q -- '--glb' && options=(--glb small.glb)
-if ! "$DETECT_FEATURES" small.obj small.pc2 --fps 15 -q -o small.json --html small.html "${options[@]}" \
+"$program" --help | grep -q -- '--glb' && options=(--glb small.glb)
+if ! "$program" small.obj small.pc2 --fps 15 -q -o small.json --html small.html "${options[@]}" \
        --write-field strain:strain.npy 2>err; then
   cat err
   grep -q "built without the viewer" err && skip "the program has no viewer"
   exit 1
 fi
-"$MAKE_ANIMATION" figure --vertices 9500 --frames 48 -o large >/dev/null || exit 1
-"$DETECT_FEATURES" large.obj large.pc2 -q --html large.html || exit 1
+"$generator" figure --vertices 9500 --frames 48 -o large >/dev/null || exit 1
+"$program" large.obj large.pc2 -q --html large.html || exit 1
 
 "$node" browser_test.mjs "$browser" small large

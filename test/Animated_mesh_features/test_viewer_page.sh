@@ -9,21 +9,15 @@
 # one, and whatever is missing, nothing breaks. Skipped (77) without cmake, Node.js and npm, or without a network.
 # DETECT_FEATURES, if set, has that page in it.
 
-set -u
-viewer="$(cd "$(dirname "${BASH_SOURCE[0]}")/../../viewer" && pwd)"
+source "$(dirname "${BASH_SOURCE[0]}")/shell_test.bash"
+viewer="$(cd "$tests/../../viewer" && pwd)"
 script="$viewer/../cmake/make_viewer_page.cmake"
 cmake="$(command -v cmake)"
 node="$(command -v node || command -v nodejs)"
 npm="$(command -v npm)"
-if [[ -z "$cmake" || -z "$node" || -z "$npm" ]]; then
-  echo "skipped: needs cmake, Node.js and npm"
-  exit 77
-fi
-
-folder="$(mktemp -d)"
-trap 'rm -rf "$folder"' EXIT
-failed=0
-checks=0
+[[ -n "$node" ]] || skip "needs Node.js"
+needs cmake npm
+enter_empty_folder
 
 # make <work folder> <arguments...>: runs the script; it never fails
 make() {
@@ -37,7 +31,7 @@ check() {
   local what="$1"
   shift
   checks=$((checks + 1))
-  "$@" || { echo "failed: $what"; failed=1; }
+  "$@" || fail "$what"
 }
 sum() { sha256sum "$1" | cut -d' ' -f1; }
 has_page() { [ -f "$folder/$1/viewer.html" ] && [ "$(sum "$folder/$1/viewer.html")" = "$recorded" ]; }
@@ -49,8 +43,7 @@ recorded=$(sed -n 's/  viewer.html$//p' "$viewer/viewer.sha256")
 # ----------------------------------------------------------------------------------------------- made from the sources
 make built "-DSOURCE_DIR=$viewer" "-DNODE=$node" "-DNPM=$npm"
 if [[ ! -e "$folder/built/viewer.html" ]] && grep -qE 'ENOTFOUND|EAI_AGAIN|ECONNREFUSED|ETIMEDOUT|ENETUNREACH' "$folder/built/log.txt"; then
-  echo "skipped: npm finds no network"
-  exit 77
+  skip "npm finds no network"
 fi
 check "the sources give the page of viewer.sha256, $recorded, not $(sum "$folder/built/viewer.html"): build the target viewer_checksum" has_page built
 page="$folder/built/viewer.html"
@@ -101,10 +94,9 @@ check "npm fails" has_none offline
 check "it says so" says offline "npm ci failed"
 
 # -------------------------------------------------------------------------------------------------------- in the program
-if [[ -n "${DETECT_FEATURES:-}" && -n "${MAKE_ANIMATION:-}" ]] && command -v python3 >/dev/null; then
-  cd "$folder" || exit 1
-  "$MAKE_ANIMATION" figure --vertices 1000 --frames 12 -o a >/dev/null
-  if "$DETECT_FEATURES" a.obj a.pc2 -q --html a.html 2>err; then
+if [[ -n "$program" && -n "$generator" ]] && command -v python3 >/dev/null; then
+  "$generator" figure --vertices 1000 --frames 12 -o a >/dev/null
+  if "$program" a.obj a.pc2 -q --html a.html 2>err; then
     python3 - "$recorded" <<'PYTHON'
 import hashlib, re, sys
 html = open("a.html", encoding="utf-8", newline="").read()
@@ -113,7 +105,7 @@ page = re.sub(r'<script type="application/json" id="scene">.*?</script>\n(<scrip
 sys.exit(0 if hashlib.sha256(page.encode()).hexdigest() == sys.argv[1] else 1)
 PYTHON
     check "the program has the page of viewer.sha256" [ $? -eq 0 ]
-    "$DETECT_FEATURES" a.obj a.pc2 -q --html b.html --html-every 2
+    "$program" a.obj a.pc2 -q --html b.html --html-every 2
     check "every second frame is smaller" [ "$(stat -c %s b.html)" -lt "$(stat -c %s a.html)" ]
   else
     check "no page but for a reason: $(cat err)" grep -q "built without the viewer" err

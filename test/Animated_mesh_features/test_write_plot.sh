@@ -8,23 +8,14 @@
 # detect_features --plot: what can be read off the plot is what the features are.
 # DETECT_FEATURES and MAKE_ANIMATION are the programs; without them, or without python3, the test is skipped (77).
 
-set -u
-program="${DETECT_FEATURES:-}"
-generator="${MAKE_ANIMATION:-}"
-here="$(cd "$(dirname "$0")" && pwd)/scene_files"
-if [[ -z "$program" || -z "$generator" ]] || ! command -v python3 >/dev/null; then
-  echo "skipped: needs DETECT_FEATURES, MAKE_ANIMATION and python3"
-  exit 77
-fi
+source "$(dirname "${BASH_SOURCE[0]}")/shell_test.bash"
+needs detect_features make_animation python3
+enter_empty_folder
 
-folder="$(mktemp -d)"
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-export PYTHONDONTWRITEBYTECODE=1
 "$generator" figure --vertices 1000 --fps 10 -o 'a <b> & "c"' >/dev/null || exit 1
 # all, one, none; and names that XML must quote
 for threshold in 0 1 "0 --absolute-threshold 1e6"; do
   # shellcheck disable=SC2086
   "$program" 'a <b> & "c".obj' 'a <b> & "c".pc2' --quiet --threshold $threshold -o features.json --plot plot.svg &&
-    python3 "$here/check_plot.py" plot.svg features.json || exit 1
+    python3 "$tests/scene_files/check_plot.py" plot.svg features.json || exit 1
 done

@@ -8,24 +8,9 @@
 # The pictures that detect_features writes: every option, decoded by a reader of PNG in Python.
 # DETECT_FEATURES and MAKE_ANIMATION are the programs; without them, or without python3, the test is skipped (77).
 
-set -u
-program="${DETECT_FEATURES:-}"
-generator="${MAKE_ANIMATION:-}"
-if [[ -z "$program" || -z "$generator" ]] || ! command -v python3 >/dev/null; then
-  echo "skipped: needs DETECT_FEATURES, MAKE_ANIMATION and python3"
-  exit 77
-fi
-
-folder="$(mktemp -d)"
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-failed=0
-checks=0
-
-fail() {
-  echo "failed: $*"
-  failed=1
-}
+source "$(dirname "${BASH_SOURCE[0]}")/shell_test.bash"
+needs detect_features make_animation python3
+enter_empty_folder
 
 "$generator" cylinder --vertices 1000 --fps 10 -o c >/dev/null || fail "make_animation"
 

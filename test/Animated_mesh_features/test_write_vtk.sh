@@ -8,29 +8,17 @@
 # detect_features --vtk: VTK's own readers find in the files what the other outputs say.
 # DETECT_FEATURES and MAKE_ANIMATION are the programs; without them, or without VTK's Python module, the test is skipped (77).
 
-set -u
-program="${DETECT_FEATURES:-}"
-generator="${MAKE_ANIMATION:-}"
-here="$(cd "$(dirname "$0")" && pwd)"
-if [[ -z "$program" || -z "$generator" ]]; then
-  echo "skipped: needs DETECT_FEATURES and MAKE_ANIMATION"
-  exit 77
-fi
+source "$(dirname "${BASH_SOURCE[0]}")/shell_test.bash"
+needs detect_features make_animation
 # A python3 that comes first in the path may not be the one that the system's packages are for.
 for python in python3 /usr/bin/python3; do
   "$python" -c "import vtkmodules.vtkIOXML" 2>/dev/null && break
   python=""
 done
-if [[ -z "$python" ]]; then
-  echo "skipped: needs Python and VTK's module for it (python3-vtk9)"
-  exit 77
-fi
+[[ -n "$python" ]] || skip "needs Python and VTK's module for it (python3-vtk9)"
+enter_empty_folder
 
-folder="$(mktemp -d)"
-trap 'rm -rf "$folder"' EXIT
-cd "$folder" || exit 1
-export PYTHONDONTWRITEBYTECODE=1
 "$generator" figure --vertices 1000 --fps 10 -o c >/dev/null &&
   "$program" c.obj c.pc2 --fps 10 --quiet -o features.json --vtk scene --write-field strain:strain.npy \
     --write-field curvature:curvature.npy --write-field deformation:deformation.npy &&
-  "$python" "$here/scene_files/check_vtk.py" scene c features.json
+  "$python" "$tests/scene_files/check_vtk.py" scene c features.json
