@@ -482,13 +482,24 @@ void test_assimp()
 }
 #endif
 
+Model read_model(const std::string& file)
+{
+  const std::string ending = std::filesystem::path(file).extension().string();
 #ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
+  if (ending == ".gltf" || ending == ".glb") return IO::read_gltf(file);
+#endif
+#ifdef ANIMATED_MESH_FEATURES_WITH_ASSIMP
+  if (ending != ".gltf" && ending != ".glb") return IO::read_assimp(file);
+#endif
+  throw Input_error(file + ": no library for files " + ending);
+}
+
 int dump(const std::string& file, const std::string& clip, const std::string& frames, const std::string& to)
 {
   IO::Clip_sampling sampling;
   sampling.clip = clip;
   sampling.frames = std::stoul(frames);
-  const auto data = IO::sample_clip<double>(IO::read_gltf(file), sampling, file);
+  const auto data = IO::sample_clip<double>(read_model(file), sampling, file);
   std::ofstream map(to + ".csv"), numbers(to + ".bin", std::ios::binary);
   IO::write_vertex_map(map, data.origins, data.mesh.points.size());
   const auto write = [&](auto x) { numbers.write(reinterpret_cast<const char*>(&x), sizeof(x)); };
@@ -507,7 +518,6 @@ int dump(const std::string& file, const std::string& clip, const std::string& fr
   numbers.close();
   return numbers ? EXIT_SUCCESS : EXIT_FAILURE;
 }
-#endif
 
 } // namespace
 
@@ -515,9 +525,7 @@ int main(int argc, char* argv[])
 {
   if (argc > 1) {
     try {
-#ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
       if (argc == 6 && argv[1] == std::string("dump")) return dump(argv[2], argv[3], argv[4], argv[5]);
-#endif
 #ifdef ANIMATED_MESH_FEATURES_WITH_HDF5
       if (argc == 3 && argv[1] == std::string("sheet")) return write_sheet(argv[2]);
 #endif

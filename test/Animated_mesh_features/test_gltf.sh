@@ -18,11 +18,11 @@ needs detect_features python3
 assets="${ASSETS:-$PWD/assets}"
 enter_empty_folder
 
-python3 "$tests/gltf_files/check_gltf.py" "$dump" || fail "made files"
+python3 "$tests/model_files/check_gltf.py" "$dump" || fail "made files"
 
 cube=/usr/share/assimp/models/glTF2/glTF-Sample-Models/AnimatedMorphCube-glTF/AnimatedMorphCube.gltf
 if [[ -f "$cube" ]]; then
-  python3 "$tests/gltf_files/check_gltf.py" "$dump" "$cube" Square 127 8 || fail "AnimatedMorphCube"
+  python3 "$tests/model_files/check_gltf.py" "$dump" "$cube" Square 127 8 || fail "AnimatedMorphCube"
 else
   echo "SKIPPED: AnimatedMorphCube, since Debian's package assimp-testmodels is not here"
 fi
@@ -37,9 +37,14 @@ else
   if [[ -f "$fbx" ]]; then
     expect 0 "best effort" "$fbx" --verbose -o fbx.json
     grep -qF "1058 vertices, 2112 triangles, 61 frames" err || fail "FBX: $(cat err)"
+    models=/usr/share/assimp/models
+    python3 "$tests/model_files/check_assimp.py" "$dump" "$fbx" 9 $models/FBX/huesitos.fbx 9 $models/X/BCN_Epileptic.X 5 \
+      $models/Collada/box_nested_animation.dae 5 ||
+      fail "FBX, X and Collada in motion"
   else
     echo "SKIPPED: FBX, since Debian's package assimp-testmodels is not here"
   fi
+  python3 "$tests/model_files/check_assimp.py" "$dump" || fail "Collada"
 fi
 echo text >text.h5
 if [[ " $formats " != *" HDF5 "* ]]; then
@@ -73,7 +78,7 @@ if ! $hands; then
 fi
 right="$assets/rightHandHigh.glb"
 left="$assets/leftHandHigh.glb"
-python3 "$tests/gltf_files/check_gltf.py" "$dump" "$right" Fist 9 1162 "$left" "Point + Thumb" 4 1162 || fail "the hands"
+python3 "$tests/model_files/check_gltf.py" "$dump" "$right" Fist 9 1162 "$left" "Point + Thumb" 4 1162 || fail "the hands"
 
 # ----------------------------------------------------------------------------------------------------- the program
 
@@ -118,7 +123,7 @@ assert y["animation"]["frames"] == 26 and y["animation"]["frame_duration"] == 0.
 PYTHON
 
 # A mirrored hand has the same features; the left hand is one in its bones and skin, but makes a fist of its own.
-compare=(python3 "$tests/gltf_files/compare_hands.py")
+compare=(python3 "$tests/model_files/compare_hands.py")
 fist=(--clip Fist --there-and-back --quiet)
 "${compare[@]}" mirror hand.glb mirrored.glb || fail "mirroring"
 cp x.json right.json
