@@ -17,6 +17,7 @@
 #include "detect_features/Stage_log.h"
 #include "detect_features/detect.h"
 #include "detect_features/report.h"
+#include "detect_features/short_usage.h"
 
 #include <CGAL/Animated_mesh_features/exceptions.h>
 #include <CGAL/config.h>
@@ -136,6 +137,7 @@ int failed(const std::exception& e, int exit_code)
 
 int main(int argc, char* argv[])
 {
+  // The standard output is for results: a script that lost its arguments must not take this for one.
   if (argc <= 1) {
     std::cerr << short_usage();
     return BAD_USAGE;

@@ -196,8 +196,24 @@ no_temporaries
 
 # ------------------------------------------------------------------------------------------------------- usage, version
 
-expect 2 "Usage: detect_features"
-grep -q "  detect_features .*-o" err || fail "the short usage has no example"
+# without arguments: what it is for, three commands, where the rest is; which parts it has, as it turns out to have them
+expect 2 "detect_features finds where, when, how large and how long"
+[[ ! -s out ]] || fail "the short usage goes to the standard output"
+[[ $(grep -c "^  detect_features [a-z]" err) -eq 3 ]] || fail "the short usage has not three commands: $(cat err)"
+[[ $(wc -l <err) -le 12 && $(wc -L <err) -le 120 ]] || fail "the short usage is long"
+grep -qF "detect_features --help" err || fail "the short usage does not name --help"
+cp err short_usage
+for part in "glTF|x.glb" "FBX|x.fbx" "HDF5|x.h5" "--html|c.obj c.pc2 --html x.html" "--png|c.obj c.pc2 --png x.png --png-size 100x100"; do
+  IFS='|' read -r name arguments <<<"$part"
+  echo text | tee x.glb x.fbx >x.h5
+  # shellcheck disable=SC2086
+  "$program" $arguments -q >out 2>err </dev/null
+  list="This program was built with:"
+  if grep -qF "was built without" err; then list="and without:"; fi
+  checks=$((checks + 1))
+  grep -F -- "$name" short_usage | grep -qF "$list" || fail "the short usage is wrong about $name: $(cat short_usage err)"
+  rm -f x.*
+done
 expect 0 "" --help
 for word in --sigma-range "0.2)" seconds "Exit codes" "Examples:"; do
   grep -qF -- "$word" out || fail "--help lacks $word"

@@ -502,14 +502,6 @@ Command_line parse_command_line(int argc, const char* const* argv)
   return c;
 }
 
-std::string short_usage()
-{
-  return "Usage: detect_features [options] INPUT...\n"
-         "Finds spatio-temporal feature points on an animated mesh. For example:\n"
-         "  detect_features horse.obj horse.pc2 -o features.json\n"
-         "All options: detect_features --help\n";
-}
-
 std::string full_usage()
 {
   Command_line ignored;

@@ -100,7 +100,6 @@ struct Command_line
 // throws Option_error, with a message for the user.
 Command_line parse_command_line(int argc, const char* const* argv);
 
-std::string short_usage();
 std::string full_usage();
 
 } // namespace Detect_features

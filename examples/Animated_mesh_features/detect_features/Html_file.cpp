@@ -29,16 +29,6 @@ extern const std::size_t viewer_page_size;
 extern const char* const viewer_page_missing;
 #endif
 
-namespace {
-
-AMF::IO::Html_options html_options(std::size_t frame_step)
-{
-  AMF::IO::Html_options options;
-  options.frame_step = frame_step;
-  return options;
-}
-
-// Empty if it is there.
 std::string missing_viewer()
 {
 #ifdef DETECT_FEATURES_WITH_VIEWER
@@ -46,6 +36,15 @@ std::string missing_viewer()
 #else
   return "zlib was missing, or the viewer switched off";
 #endif
+}
+
+namespace {
+
+AMF::IO::Html_options html_options(std::size_t frame_step)
+{
+  AMF::IO::Html_options options;
+  options.frame_step = frame_step;
+  return options;
 }
 
 void check_viewer()

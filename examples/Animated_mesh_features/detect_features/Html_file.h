@@ -16,6 +16,9 @@
 
 namespace Detect_features {
 
+// Why this program cannot write pages; empty if it can.
+std::string missing_viewer();
+
 // If a page is asked for: whether this program has the viewer, and the page has room for an animation of that size. Unless
 // the command line says --quiet, tells if there is room for a part of the frames only.
 // throws Option_error.
