@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # From a fresh checkout to features: installs what is missing (Debian, Ubuntu), builds the two programs, generates an
-# animation of a moving figure, detects its features, and shows the strongest ones. Everything is written to the folder
-# demo_output of the checkout.
+# animation of a moving figure, detects its features, lists the strongest ones, and makes a page and a picture to look at.
+# Everything is written to the folder demo_output of the checkout.
 #
 #   scripts/demo.sh          the figure
 #   scripts/demo.sh --hand   a hand that makes a fist and opens again, from a GLB file (see scripts/fetch_hands.sh)
@@ -24,7 +24,7 @@ fi
 cd "$root"
 trap 'give_back "$root/build" "$root/demo_output"' EXIT
 
-say "Building"
+say "Building; this takes a few minutes the first time"
 configure build/demo -DCMAKE_BUILD_TYPE=Release \
   -DANIMATED_MESH_FEATURES_BUILD_TESTS=OFF -DANIMATED_MESH_FEATURES_BUILD_EXAMPLES=OFF
 build build/demo
@@ -40,14 +40,14 @@ if $hand; then
 else
   say "Generating an animation"
   "$programs/make_animation" figure -o animation
-  input=(animation.obj animation.pc2)
+  input=(animation.obj animation.pc2 --rest average)
 fi
 
 say "Detecting features"
+rm -f view.html
 view=()
-# the viewer could be built if Node.js is here
 if [ -s "$root/build/demo/viewer/viewer.html" ]; then view=(--html view.html); fi
-"$programs/detect_features" "${input[@]}" -o features.json -o features.csv -o features.ply "${view[@]}"
+"$programs/detect_features" "${input[@]}" -o features.json -o features.csv -o features.ply --png features.png "${view[@]}"
 
 say "The strongest features"
 # columns by their names in the first line; the rows come strongest first
@@ -72,3 +72,8 @@ awk -F, '
 
 say "Written to $root/demo_output"
 ls -l
+if [ ${#view[@]} -gt 0 ]; then
+  say "Now open in a browser: file://$PWD/view.html"
+else
+  say "Now look at $PWD/features.png; there is no page for the browser, since Node.js could not be used, see above"
+fi

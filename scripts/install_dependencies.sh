@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what is missing for building the package on Debian (12 or newer) or Ubuntu (24.04 or newer).
 #
-#   scripts/install_dependencies.sh           compiler, CMake, CGAL, Eigen, Boost, oneTBB, zlib; tinygltf, if it can be had
+#   scripts/install_dependencies.sh           compiler, CMake, CGAL, Eigen, Boost, oneTBB, zlib; tinygltf and, for the page
+#                                             of --html, Node.js, if they can be had
 #   scripts/install_dependencies.sh --tests   also what only the tests need
 #   scripts/install_dependencies.sh --doc     what the manual is made with, and nothing else
 
@@ -13,7 +14,9 @@ packages=(g++ make cmake libcgal-dev libeigen3-dev libboost-dev libboost-program
 # Without this glTF is not read; it is small. What reads other formats (libassimp-dev, libhdf5-dev) brings along a lot, and
 # is for whoever needs it.
 optional=(libtinygltf-dev)
-# Without these a part of the tests is left out, too.
+# For the viewer, while building; it may be there from elsewhere, and then Debian's would get in its way.
+command -v npm > /dev/null || optional+=(nodejs npm)
+# Without what is optional below a part of the tests is left out, too.
 case "${1:-}" in
   "") ;;
   --doc)
@@ -24,8 +27,6 @@ case "${1:-}" in
     packages+=(ninja-build python3)
     optional+=(ccache libopenmesh-dev clang python3-vtk9 libassimp-dev libhdf5-dev assimp-testmodels curl doxygen
       libjs-mathjax)
-    # for the viewer; they may be there from elsewhere, and then Debian's would get in their way
-    command -v npm > /dev/null || optional+=(nodejs npm)
     command -v chromium > /dev/null || optional+=(chromium)
     ;;
   *) die "unknown option: $1" ;;

@@ -221,6 +221,9 @@ done
 expect 0 "" -h
 expect 0 "" --version
 grep -qE '^detect_features [0-9]+\.[0-9]+' out || fail "--version: $(cat out)"
+version="$(sed -n 's/^version: //p' "$tests/../../CITATION.cff")"
+grep -qF "detect_features $version " out || fail "CITATION.cff is about version $version"
+grep -qF "edition = {$version}" "$tests/../../README.md" || fail "README.md is to be cited with another version"
 
 usage "--wibble" c.obj c.pc2 --wibble
 usage "--thresh" c.obj c.pc2 --thresh 0.5
