@@ -165,7 +165,7 @@ private:
 // The height of capitals, pixels: readable also when the picture is shown at half its size.
 inline double text_height(std::size_t width, std::size_t height)
 {
-  return (std::max)(6., 0.016 * std::sqrt(double(width) * double(height)));
+  return (std::max)(6., 0.0145 * std::sqrt(double(width) * double(height)));
 }
 
 } // namespace internal
