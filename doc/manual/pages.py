@@ -65,8 +65,10 @@ def with_described_pictures(text):
         caption = re.sub(r"^fig__\w+\s*|\\[()]", "", plain(figure.group(2)).partition(". ")[0])
         return figure.group(1).replace('alt=""', f'alt="{html.escape(caption, quote=True)}"') + figure.group(2)
 
-    return re.sub(r'(<div class="amf-figure">.*?</div>\s*)(<div class="amf-caption">.*?</div>)', described, text,
+    text = re.sub(r'(<div class="amf-figure">.*?</div>\s*)(<div class="amf-caption">.*?</div>)', described, text,
                   flags=re.DOTALL)
+    return re.sub(r'(<img src="(\w+)\.\w+") alt=""',
+                  lambda image: f'{image.group(1)} alt="{image.group(2).replace("_", " ")}"', text)
 
 
 def with_short_title(text, is_concept):
