@@ -67,7 +67,7 @@ stage_sanitizers()
     "-DANIMATED_MESH_FEATURES_VIEWER_BUNDLE=$([ ! -f build/gcc/viewer/viewer.html ] || echo "$root/build/gcc/viewer/viewer.html")" \
     -DANIMATED_MESH_FEATURES_SANITIZE=address,undefined \
     -DANIMATED_MESH_FEATURES_WERROR="$([ $compiler = clang++ ] && echo ON || echo OFF)" &&
-    build_and_run build/sanitizers --exclude-regex '^consumer_|^test_real_animations$|^test_viewer_'
+    build_and_run build/sanitizers --exclude-regex '^consumer_|^test_real_animations$|^test_viewer_|^test_manual_'
 }
 
 # Only those tests that run anything in parallel.
