@@ -17,9 +17,14 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
+
+#ifdef __GLIBC__
+  #include <malloc.h>
+#endif
 
 using namespace Benchmark;
 
@@ -94,12 +99,24 @@ void add_rows(const std::string& varied, const std::string& preset, const std::v
   }
 }
 
+// Memory that was freed is used again rather than given back: to get a page from the operating system for the first time
+// takes up to some microseconds, on a virtual machine more, and that would grow from nothing to more than the work as soon
+// as arrays are large enough to be mapped one by one.
+void keep_memory()
+{
+#ifdef __GLIBC__
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, (std::numeric_limits<int>::max)());
+#endif
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
 {
   return run("growth", argc, argv, [](const Arguments& arguments, Report& report) {
     const Thread_limit limit(1);
+    keep_memory();
     const Repetitions r = arguments.quick ? Repetitions{1, 1, 0} : Repetitions{2, 3, 1};
     // fields that do not fit into the caches: on the way out of them everything seems to grow faster
     const std::size_t n = arguments.quick ? 1000 : 16000, f = arguments.quick ? 24 : 48, width = 8;
