@@ -57,13 +57,13 @@ struct Workload
   }
 };
 
-// The running figure, two steps in 1.6 s.
-inline Workload figure(std::size_t vertices, std::size_t frames)
+// The running figure: two steps in 1.6 s, or as many as there are frames for.
+inline Workload figure(std::size_t vertices, std::size_t frames, double frames_per_second = 0)
 {
   Animated_mesh_generators::Articulated_figure_options options;
   options.number_of_vertices = vertices;
   options.number_of_frames = frames;
-  options.frame_rate = double(frames) / (2 * options.period);
+  options.frame_rate = frames_per_second > 0 ? frames_per_second : double(frames) / (2 * options.period);
   return {"figure", articulated_figure(options), {}};
 }
 
