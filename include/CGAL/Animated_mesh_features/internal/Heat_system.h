@@ -9,6 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Animation_report.h>
 #include <CGAL/Animated_mesh_features/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/internal/Nested_dissection.h>
 #include <CGAL/Animated_mesh_features/internal/Supernodal_factor.h>
 #include <CGAL/Animated_mesh_features/internal/Supernodes.h>
 
@@ -30,7 +31,7 @@ public:
     , m_mass(shape.number_of_vertices(), 0)
     , m_weights(m_neighbours.number_of_entries(), 0)
     , m_diagonal(shape.number_of_vertices(), 0)
-    , m_supernodes(m_neighbours)
+    , m_supernodes(m_neighbours, Nested_dissection(m_neighbours, shape.points()).order())
   {
     for (Rest_shape::Index t : shape.ordered_triangles()) {
       if (is_degenerate(shape, t)) continue;

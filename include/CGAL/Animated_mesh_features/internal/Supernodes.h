@@ -9,9 +9,6 @@
 
 #include <CGAL/Animated_mesh_features/Compressed_rows.h>
 
-#include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -65,9 +62,11 @@ public:
   // Numbers in what a panel passes on to its parent: the lower triangle of a square matrix, stored with its upper one.
   static std::size_t update_size(const Panel& p) { return number_of_tiles(p.height) * tile * p.height; }
 
-  // `neighbours`: for each row of the matrix the columns of its entries off the diagonal.
-  explicit Supernodes(const Compressed_rows& neighbours)
+  // `neighbours`: for each row of the matrix the columns of its entries off the diagonal. `order`: the row that is
+  // eliminated first, and so on, such that there is little fill.
+  Supernodes(const Compressed_rows& neighbours, std::vector<Index> order)
   {
+    set_order(std::move(order));
     order_columns(neighbours);
     merge_columns(neighbours);
     find_rows(neighbours);
@@ -90,37 +89,17 @@ public:
   std::size_t stack_size() const { return m_stack_size; }
 
 private:
-  // A fill-reducing order, then postorder of its elimination tree. J. W. H. Liu, The role of elimination trees in sparse
-  // factorization, SIAM J. Matrix Anal. Appl. 11(1), 1990.
+  // Postorder of the elimination tree, which leaves the fill as it is. J. W. H. Liu, The role of elimination trees in
+  // sparse factorization, SIAM J. Matrix Anal. Appl. 11(1), 1990.
   void order_columns(const Compressed_rows& neighbours)
   {
     const std::size_t n = neighbours.size();
-    minimum_degree_order(neighbours);
     find_elimination_tree(neighbours);
     const std::vector<Index> order = postorder(m_parent);
     std::vector<Index> original(n);
     for (std::size_t i = 0; i < n; ++i) original[i] = m_original[order[i]];
     set_order(std::move(original));
     find_elimination_tree(neighbours);
-  }
-
-  void minimum_degree_order(const Compressed_rows& neighbours)
-  {
-    const std::size_t n = neighbours.size();
-    Eigen::SparseMatrix<char, Eigen::ColMajor, int> pattern{Eigen::Index(n), Eigen::Index(n)};
-    std::vector<int> sizes(n);
-    for (std::size_t i = 0; i < n; ++i) sizes[i] = int(neighbours[i].size()) + 1;
-    pattern.reserve(sizes);
-    for (std::size_t i = 0; i < n; ++i) {
-      pattern.insert(int(i), int(i)) = 1;
-      for (Index j : neighbours[i]) pattern.insert(int(j), int(i)) = 1;
-    }
-    pattern.makeCompressed();
-    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-    Eigen::AMDOrdering<int>()(pattern, order);
-    std::vector<Index> original(n);
-    for (std::size_t i = 0; i < n; ++i) original[i] = Index(order.indices()[Eigen::Index(i)]);
-    set_order(std::move(original));
   }
 
   void set_order(std::vector<Index> original)
