@@ -99,7 +99,9 @@ void run(const Command_line& command_line)
   if (command_line.verbose)
     std::cerr << animation_report(command_line, animation) << memory_plan.report() << '\n' << std::flush;
 
-  if (!command_line.quiet) std::cerr << clip_notice(command_line, animation) << std::flush;
+  const std::string notices =
+      clip_notice(command_line, animation) + counts_notice(animation.sequence(), command_line);
+  if (!command_line.quiet) std::cerr << notices << std::flush;
 
   const Interruption interruption; // before there is anything to be left behind
   Result_files files(command_line);

@@ -84,7 +84,8 @@ def again(name):
     q = load(name)["parameters"]
     options = ["--" + k.replace("_", "-") + "=" + str(q[k])
                for k in ("fps", "rest", "preset", "strain", "alpha", "curvature", "balls", "ball_radius",
-                         "spatial_filter", "temporal_filter", "box_width", "sigma_range", "tau_range", "threshold",
+                         "spatial_filter", "temporal_filter", "box_width", "space_counts", "time_counts", "sigma_range",
+                         "tau_range", "threshold",
                          "absolute_threshold") if q[k] is not None]
     options += ["--triangulate"] * q["triangulate"] + ["--rescale-rest"] * q["rescale_rest"]
     options += ["--no-suppression"] * (not q["suppression"])
@@ -251,6 +252,8 @@ usage "--box-width" c.obj c.pc2 --box-width 5
 usage "--box-width" c.obj c.pc2 --preset published --box-width 1
 usage "--box-width" c.obj c.pc2 --preset published --temporal-filter gaussian --box-width 5
 usage "smaller --box-width" c.obj c.pc2 --preset published --box-width 1000
+usage "--space-counts" c.obj c.pc2 --space-counts 5
+usage "--time-counts" c.obj c.pc2 --preset published --time-counts 2
 usage "--rescale-rest" c.obj c.pc2 --rescale-rest
 usage "frames are 0 to 15" c.obj c.pc2 --rest frame:16
 usage "--rest" c.obj c.pc2 --rest frame:x
@@ -308,6 +311,14 @@ check 'p(x)["box_width"] == 3 and p(x)["triangle_weights"] == "uniform"'
 cp x.json published.json
 find_features --preset published --box-width 2
 check 'x["features"] != published["features"] and p(x)["box_width"] == 2'
+find_features --preset published --space-counts 7 --time-counts 5
+check 'len(p(x)["sigma_levels"]) == 8 and len(p(x)["tau_levels"]) == 6 and p(x)["space_counts"] == 7'
+grep -q "smoothing counts" err && fail "a notice for a short search: $(cat err)"
+"$program" c.obj c.pc2 --fps 25 --preset published --space-counts 20000 --time-counts 20000 -o long.json 2>err &
+until grep -q "20000 x 20000 smoothing counts" err || ! kill -0 $! 2>/dev/null; do sleep 0.05; done
+kill -TERM $! && wait $! || [[ $? -eq 143 ]] || fail "no exit code 143 when terminated: $(cat err)"
+grep -q "minutes of processor time" err || fail "no notice of a long search: $(cat err)"
+checks=$((checks + 1))
 find_features --preset published --strain hencky --temporal-filter gaussian
 check 'x["features"] != published["features"] and p(x)["strain"] == "hencky" and p(x)["box_width"] is None'
 find_features --preset published --spatial-filter heat

@@ -26,8 +26,8 @@ namespace {
 // The options as the user types them.
 struct Text
 {
-  std::string fps, rest, preset, spatial_filter, temporal_filter, strain, curvature, balls, box_width, ball_radius,
-      alpha, sigma_range, tau_range, threshold, absolute_threshold, threads, memory, scratch;
+  std::string fps, rest, preset, spatial_filter, temporal_filter, strain, curvature, balls, box_width, space_counts,
+      time_counts, ball_radius, alpha, sigma_range, tau_range, threshold, absolute_threshold, threads, memory, scratch;
   std::string html, html_every, vtk, glb, plot, png, png_size, png_background, view, up;
   std::string clip, frames, faces, vertex_map; // of models
   std::vector<std::string> outputs, fields, picture_frames;
@@ -90,6 +90,11 @@ po::options_description described_options(Command_line& c, Text& t)
   add_method("temporal-filter", text(t.temporal_filter, "NAME"), "gaussian (default), box (p)");
   add_method("box-width", text(t.box_width, "W"),
              "width of the temporal box in frames; preset published only (default: a sixth of the frames)");
+  add_method("space-counts", text(t.space_counts, "K"),
+             "search up to K passes of the spatial filter; preset published only (default: by the paper's formula, which "
+             "grows with the square of diagonal by edge length, to thousands for a fine mesh)");
+  add_method("time-counts", text(t.time_counts, "L"),
+             "search up to L passes of the temporal filter; preset published only (default: by the paper's formula)");
   add_method("sigma-range", text(t.sigma_range, "MIN:MAX"),
              "the spatial scales, as lengths or % of the diagonal; either may be left out (default: 1.4 to 17.5 % of "
              "the diameter of the rest shape). Preset calibrated only");
@@ -238,6 +243,16 @@ void override_choice(const std::string& option, const std::string& text, Choice&
   if (!text.empty()) choice = chosen<Choice>(option, text);
 }
 
+std::optional<std::size_t> smoothing_counts(const std::string& option, const std::string& text, Preset preset)
+{
+  if (text.empty()) return std::nullopt;
+  const std::size_t result = count(option, text);
+  if (result < 3) throw Option_error(option + ": at least 3 are needed for an extremum between them");
+  if (preset != Preset::PUBLISHED)
+    throw Option_error(option + " goes with --preset published only; elsewhere the scales follow from their range");
+  return result;
+}
+
 void set_method(const Text& t, Command_line& c)
 {
   set_preset(t.preset, c);
@@ -263,6 +278,8 @@ void set_method(const Text& t, Command_line& c)
           "--box-width goes with the box filter of --preset published only; elsewhere the filters follow "
           "the scales");
   }
+  c.space_counts = smoothing_counts("--space-counts", t.space_counts, c.preset);
+  c.time_counts = smoothing_counts("--time-counts", t.time_counts, c.preset);
   if (!t.threshold.empty()) {
     c.threshold = non_negative_number("--threshold", t.threshold);
     if (*c.threshold > 1)

@@ -70,6 +70,7 @@ struct Command_line
   Temporal_filter temporal_filter = Temporal_filter::GAUSSIAN;
 
   std::optional<std::size_t> box_width;
+  std::optional<std::size_t> space_counts, time_counts;
   std::optional<Length> ball_radius;
   std::optional<double> alpha;
   Range<Length> sigma;

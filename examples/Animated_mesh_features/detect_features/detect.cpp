@@ -10,7 +10,10 @@
 
 #include <CGAL/Animated_mesh_features/Feature_detector.h>
 
+#include <cmath>
 #include <iterator>
+#include <sstream>
+#include <string>
 #include <utility>
 
 namespace Detect_features {
@@ -18,6 +21,13 @@ namespace Detect_features {
 namespace {
 
 typedef AMF::Spatio_temporal_field<FT> Values;
+
+// 0: the box follows the scales, or there is none.
+std::size_t box_width(const Sequence& sequence, const Command_line& c)
+{
+  if (c.preset != Preset::PUBLISHED || c.temporal_filter != Temporal_filter::BOX) return 0;
+  return c.box_width.value_or(AMF::published_box_width(sequence.number_of_frames()));
+}
 
 // What the two presets differ in, besides what the command line chooses by name.
 void set_defaults(const Sequence& sequence, const Command_line& c, Detection& result)
@@ -29,8 +39,7 @@ void set_defaults(const Sequence& sequence, const Command_line& c, Detection& re
   result.triangle_weights = is_published ? published.triangle_weights : calibrated.triangle_weights;
   result.selection = is_published ? published.selection : calibrated.selection;
   result.alpha = c.alpha.value_or(is_published ? published.alpha : calibrated.alpha);
-  if (is_published && c.temporal_filter == Temporal_filter::BOX)
-    result.box_width = c.box_width.value_or(published.temporal_filter.width());
+  result.box_width = box_width(sequence, c);
   if (c.threshold) result.selection.relative_threshold = *c.threshold;
   if (c.absolute_threshold) result.selection.absolute_threshold = *c.absolute_threshold;
   if (c.no_suppression) result.selection.suppress_non_maxima = false;
@@ -107,7 +116,53 @@ AMF::Fixed_ratio_sampling fixed_ratio_sampling(const Sequence& sequence, const C
   return sampling;
 }
 
+Chosen_spatial_filter spatial_filter(const Command_line& c)
+{
+  if (c.spatial_filter == Spatial_filter::HEAT) return Chosen_spatial_filter(AMF::Heat_diffusion_filter());
+  // The paper has one scale for all vertices.
+  return Chosen_spatial_filter(AMF::One_ring_average_filter(c.preset != Preset::PUBLISHED));
+}
+
+AMF::Every_smoothing_count every_smoothing_count(const Command_line& c)
+{
+  AMF::Every_smoothing_count sampling;
+  sampling.max_space_count = c.space_counts.value_or(0);
+  sampling.max_time_count = c.time_counts.value_or(0);
+  return sampling;
+}
+
+AMF::Scale_levels levels_of_every_count(const Sequence& sequence, const Command_line& c)
+{
+  const auto levels = [&](const auto& temporal) {
+    return every_smoothing_count(c)(sequence.rest_shape(), sequence.number_of_frames(), sequence.frame_duration(),
+                                    spatial_filter(c), temporal);
+  };
+  try {
+    if (c.temporal_filter == Temporal_filter::BOX) return levels(AMF::Box_temporal_filter(box_width(sequence, c)));
+    return levels(AMF::Gaussian_temporal_filter());
+  } catch (const AMF::Option_error& e) {
+    throw AMF::Option_error(std::string(e.what()) +
+                            "; use --preset calibrated, or a smaller --box-width if there are too few in time");
+  }
+}
+
 } // namespace
+
+std::string counts_notice(const Sequence& sequence, const Command_line& c)
+{
+  if (c.preset != Preset::PUBLISHED) return std::string();
+  const AMF::Scale_levels levels = levels_of_every_count(sequence, c);
+  const std::size_t space = levels.space_variances.size() - 1, time = levels.time_variances.size() - 1;
+  const double responses =
+      double(sequence.number_of_vertices()) * double(sequence.number_of_frames()) * double(space) * double(time);
+  const double responses_per_minute = 60 * 3e9; // of a processor of 2024; half or twice as many on others
+  const double minutes = std::round(responses / responses_per_minute);
+  if (minutes < 10) return std::string();
+  std::ostringstream os;
+  os << space << " x " << time << " smoothing counts in space and time, some " << minutes
+     << " minutes of processor time; --space-counts and --time-counts take fewer\n";
+  return os.str();
+}
 
 Detection detect(const Sequence& sequence, const Command_line& c, std::size_t level_memory, Result_files& files,
                  Monitor& monitor)
@@ -119,28 +174,19 @@ Detection detect(const Sequence& sequence, const Command_line& c, std::size_t le
                      : deformation(sequence, c, AMF::Mean_dihedral_angle(), result, files, monitor);
 
   const bool is_published = c.preset == Preset::PUBLISHED;
-  // The paper has one scale for all vertices.
-  const Chosen_spatial_filter spatial = c.spatial_filter == Spatial_filter::ONE_RING
-                                            ? Chosen_spatial_filter(AMF::One_ring_average_filter(!is_published))
-                                            : Chosen_spatial_filter(AMF::Heat_diffusion_filter());
+  const Chosen_spatial_filter spatial = spatial_filter(c);
   const auto find = [&](const auto& temporal) {
     if (is_published)
-      find_features(sequence, c, std::move(field), spatial, temporal, AMF::Every_smoothing_count(),
+      find_features(sequence, c, std::move(field), spatial, temporal, every_smoothing_count(c),
                     AMF::Forward_difference_of_gaussians(), level_memory, result, monitor);
     else
       find_features(sequence, c, std::move(field), spatial, temporal, fixed_ratio_sampling(sequence, c),
                     AMF::Central_difference_of_gaussians(), level_memory, result, monitor);
   };
-  try {
-    if (c.temporal_filter == Temporal_filter::BOX)
-      find(AMF::Box_temporal_filter(result.box_width));
-    else
-      find(AMF::Gaussian_temporal_filter());
-  } catch (const AMF::Option_error& e) {
-    if (!is_published) throw;
-    throw AMF::Option_error(std::string(e.what()) +
-                            "; use --preset calibrated, or a smaller --box-width if there are too few in time");
-  }
+  if (c.temporal_filter == Temporal_filter::BOX)
+    find(AMF::Box_temporal_filter(result.box_width));
+  else
+    find(AMF::Gaussian_temporal_filter());
   return result;
 }
 

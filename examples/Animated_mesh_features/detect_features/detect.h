@@ -42,6 +42,10 @@ struct Detection
   CGAL::Animated_mesh_features::Feature_selection selection;
 };
 
+// One line, or nothing: there are so many smoothing counts that they take long.
+// throws Option_error if there are too few.
+std::string counts_notice(const Sequence& sequence, const Command_line& command_line);
+
 // Computes the deformation, writes the fields that are wanted, and finds the features. `level_memory` bytes are for the
 // space levels.
 // throws Option_error, Output_error, Numerical_error, Cancelled.

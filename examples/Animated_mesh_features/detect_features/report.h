@@ -102,6 +102,8 @@ inline AMF::IO::Result_description description(const Command_line& c, const Anim
   d.add("spatial_filter", name(c.spatial_filter));
   d.add("temporal_filter", name(c.temporal_filter));
   add_if(detection.box_width > 0, "box_width", detection.box_width);
+  add_if(bool(c.space_counts), "space_counts", c.space_counts.value_or(0));
+  add_if(bool(c.time_counts), "time_counts", c.time_counts.value_or(0));
   add_if(!c.sigma.text.empty(), "sigma_range", c.sigma.text);
   add_if(!c.tau.text.empty(), "tau_range", c.tau.text);
   d.add("sigma_levels", detection.sigma_levels);

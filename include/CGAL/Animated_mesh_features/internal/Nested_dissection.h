@@ -70,8 +70,8 @@ private:
   struct Cut
   {
     std::size_t axis = 0;
-    std::int32_t height = 0;     // the lower side: up to it
-    bool is_below = false;       // on which side the separator is
+    std::int32_t height = 0; // the lower side: up to it
+    bool is_below = false;   // on which side the separator is
     double cost = (std::numeric_limits<double>::max)();
   };
 
