@@ -18,6 +18,7 @@
 #include <CGAL/Animated_mesh_features/internal/run_vectorized.h>
 #include <CGAL/Animated_mesh_features/internal/parallel_for.h>
 
+#include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/bessel.hpp>
 
 #include <Eigen/Dense>
@@ -324,6 +325,50 @@ void test_temporal_float(Filter filter)
   const std::vector<float> rounded = smoothed<float>(filter, 3, std::vector<float>(row.begin(), row.end()));
   const double d = largest_difference(smoothed(filter, 3, row), Row(rounded.begin(), rounded.end()));
   CHECK(d > 0 && d < 1e-6);
+}
+
+// In single precision a level is made from few frames of the level before. Rows that change from frame to frame and waves
+// of all lengths, through levels as close as the search takes them in single precision, and further apart.
+void test_sparse_gaussian()
+{
+  Random random(35);
+  const auto cosine = [](std::size_t n, double j) {
+    Row row(n);
+    for (std::size_t f = 0; f < n; ++f) row[f] = std::cos(boost::math::constants::pi<double>() * j * (double(f) + 0.5) / double(n));
+    return row;
+  };
+  for (std::size_t n : {40, 300, 1000})
+    for (const double ratio : {1.4, 1.5874, 2., 4., 30.}) {
+      double largest_error = 0;
+      Row variances = {0.3};
+      while (variances.back() < double(n * n) / 40) variances.push_back(variances.back() * ratio);
+      Amf::Gaussian_temporal_filter filter;
+      filter.initialize(n, clock_tick, in_seconds(variances));
+      std::vector<Row> rows = {random_row(n, random), random_row(n, random), Row(n, 1), impulse(n)};
+      for (std::size_t j = 1; j < n; j += (std::max)(std::size_t(1), n / 60)) rows.push_back(cosine(n, double(j)));
+      for (Row& row : rows) {
+        double largest = 0;
+        for (double& x : row) {
+          x = double(float(x));
+          largest = (std::max)(largest, std::abs(x));
+        }
+        std::vector<float> single(row.begin(), row.end());
+        Row exact = row;
+        for (std::size_t l = 0; l < variances.size(); ++l) {
+          std::vector<float> next(n);
+          Row next_exact(n);
+          filter(l, single.data(), next.data());
+          filter(l, exact.data(), next_exact.data());
+          single.swap(next);
+          exact.swap(next_exact);
+          const double error = largest_difference(exact, Row(single.begin(), single.end())) / largest;
+          largest_error = (std::max)(largest_error, error);
+        }
+      }
+      std::cout << "Gaussian in float, " << n << " frames, " << variances.size() << " levels: error at most "
+                << largest_error << " of the largest value" << std::endl;
+      CHECK(largest_error > 0 && largest_error < Amf::internal::smoothing_error<float>()); // what the search counts on
+    }
 }
 
 // The levels of a field.
@@ -765,6 +810,7 @@ int main()
   test_gaussian();
   test_temporal_float(Amf::Box_temporal_filter());
   test_temporal_float(Amf::Gaussian_temporal_filter());
+  test_sparse_gaussian();
   test_one_ring_on_regular_plane();
   test_one_ring_scale_at_vertices(0, 0.06, 0.15);
   test_one_ring_scale_at_vertices(0.3, 0.1, 0.25);
