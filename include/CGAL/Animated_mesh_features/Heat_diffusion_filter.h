@@ -42,8 +42,10 @@ What a level changes is solved for in single precision, but in double precision 
 any roughness meet the steep weights of slivers: an error of some \f$10^{-7}\f$ of the largest change of a level. A
 constant field stays as it is, bit for bit. The result does not depend on the processor.
 
-Complexity of a level: a factorisation, with some `50 N` entries at N = 100,000, and `F` solves with it; see there. Memory:
-`O(N)` for a thread, and the factors of as many levels at a time as fit into the memory of the field, but two at least.
+Complexity of a level: a factorisation, \f$O(N^{1.5})\f$ operations for \f$O(N \log N)\f$ entries (35 `N` of them at N =
+10,000, 75 `N` at a million), and `F` solves with it, of two operations an entry, which are most of the time where there
+are more than some 100 frames. Memory: `O(N)` for a thread, and the factors of as many levels at a time as fit into the
+memory of the field, but two at least.
 
 \cgalModels{SpatialFilter}
 */
