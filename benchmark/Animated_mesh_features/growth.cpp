@@ -184,16 +184,14 @@ int main(int argc, char* argv[])
     Table table(
         "Growth of the stages",
         "Seconds on one thread, while one size goes up to eightfold and the others stay the same. N: cylinder; "
-        "otherwise "
-        "figure; N = " +
+        "otherwise figure; N = " +
             std::to_string(n) + ", F = " + std::to_string(f) +
             ". F: longer animations, of as many frames in a second. K = " + std::to_string(2 * k) +
             ", L = " + std::to_string(2 * l) +
             "; radius of balls with published 3 mean edge lengths, with calibrated the default, and the same levels "
             "throughout. Exponent: the slope of a line through the logarithms of the four times. Heat diffusion (the "
             "scale space of calibrated) factors a matrix, the one thing that grows faster than what it works on: with "
-            "N to "
-            "the power of 1.5, for all frames at once.",
+            "N to the power of 1.5, for all frames at once.",
         {"varied", "preset", "stage", "from", "to", "x 1: s", "x 2: s", "x 4: s", "x 8: s", "exponent"});
     const std::vector<Amf::Stage> stages = {S::GEODESIC_BALLS, S::CURVATURE, S::STRAIN, S::SCALE_SPACE, S::EXTREMA};
     add_rows("N", "published", by_vertices, stages, table);

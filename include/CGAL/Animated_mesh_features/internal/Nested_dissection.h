@@ -73,6 +73,7 @@ private:
     std::int32_t height = 0; // the lower side: up to it
     bool is_below = false;   // on which side the separator is
     double cost = (std::numeric_limits<double>::max)();
+    bool exists() const { return cost < (std::numeric_limits<double>::max)(); }
   };
 
   template <class Point>
@@ -85,10 +86,10 @@ private:
       low[i] = (*ends.first)[i];
       extent = (std::max)(extent, (*ends.second)[i] - low[i]);
     }
-    const double scale = extent > 0 ? (1 << 24) / extent : 0;
+    if (!(extent > 0)) extent = 1;
     std::vector<Place> places(points.size());
     for (std::size_t v = 0; v < points.size(); ++v)
-      for (int i = 0; i < 3; ++i) places[v][i] = std::int32_t((points[v][i] - low[i]) * scale);
+      for (int i = 0; i < 3; ++i) places[v][i] = std::int32_t((points[v][i] - low[i]) / extent * (1 << 24));
     return places;
   }
 
@@ -101,7 +102,7 @@ private:
   void dissect(std::size_t first, std::size_t last)
   {
     const Cut cut = last - first > m_largest ? best_cut(first, last) : Cut();
-    if (cut.cost == Cut().cost) {
+    if (!cut.exists()) {
       order_by_degree(first, last);
       return;
     }
@@ -194,7 +195,12 @@ private:
     if (cut.cost < best.cost) best = cut;
   }
 
-  // Among them those that are eliminated later are a clique, as which they end up once all of the part are gone.
+  // Pairs of vertices around a part, for each vertex of it, at most; where meshes are cut there are some 20.
+  static constexpr std::size_t most_pairs = 100;
+
+  // Neighbours that are eliminated later take part, as the clique that they end up as once all of the part are gone, which
+  // saves some fill. Where there are so many that a clique would take much memory, minimum degree leaves them out as too
+  // dense anyway.
   void order_by_degree(std::size_t first, std::size_t last)
   {
     const std::vector<Index> part(m_order.begin() + std::ptrdiff_t(first), m_order.begin() + std::ptrdiff_t(last));
@@ -204,6 +210,7 @@ private:
         if (m_position[w] >= last) later.push_back(w);
     std::sort(later.begin(), later.end());
     later.erase(std::unique(later.begin(), later.end()), later.end());
+    if (later.size() * later.size() / 2 > most_pairs * part.size()) later.clear();
     std::vector<std::vector<Index>> rows(part.size() + later.size());
     const auto join = [&](std::size_t v, std::size_t w) {
       rows[v].push_back(Index(w));
@@ -213,7 +220,7 @@ private:
       for (Index w : m_neighbours[part[i]])
         if (is_in(w, first, last))
           rows[i].push_back(Index(m_position[w] - first));
-        else if (m_position[w] >= last)
+        else if (m_position[w] >= last && !later.empty())
           join(i, part.size() + std::size_t(std::lower_bound(later.begin(), later.end(), w) - later.begin()));
     for (std::size_t i = 0; i < later.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) join(part.size() + i, part.size() + j);
