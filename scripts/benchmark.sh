@@ -55,7 +55,7 @@ benchmark()
   say "Benchmark: $name took $((SECONDS - start)) s"
 }
 
-programs="$folder/examples/Animated_mesh_features"
+programs="$folder/examples/Animated_mesh_features/programs"
 started=$SECONDS
 for name in engine balls measures growth roofline; do
   benchmark $name "$folder/benchmark/Animated_mesh_features/benchmark_$name"

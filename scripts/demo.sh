@@ -28,7 +28,7 @@ say "Building; this takes a few minutes the first time"
 configure build/demo -DCMAKE_BUILD_TYPE=Release \
   -DANIMATED_MESH_FEATURES_BUILD_TESTS=OFF -DANIMATED_MESH_FEATURES_BUILD_EXAMPLES=OFF
 build build/demo
-programs="$root/build/demo/examples/Animated_mesh_features"
+programs="$root/build/demo/examples/Animated_mesh_features/programs"
 
 mkdir -p demo_output
 cd demo_output

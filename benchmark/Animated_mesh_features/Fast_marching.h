@@ -7,7 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_FAST_MARCHING_H
 #define CGAL_ANIMATED_MESH_FEATURES_FAST_MARCHING_H
 
-#include <CGAL/Animated_mesh_features/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 
 #include <Eigen/Core>
 

@@ -7,8 +7,8 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_NAIVE_SCALE_SPACE_H
 #define CGAL_ANIMATED_MESH_FEATURES_NAIVE_SCALE_SPACE_H
 
-#include <CGAL/Animated_mesh_features/Rest_shape.h>
-#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
 
 #include <Eigen/SparseCore>
 

@@ -16,10 +16,10 @@
 #include "generators/articulated_figure.h"
 #include "generators/bending_cylinder.h"
 
-#include <CGAL/Animated_mesh_features/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
 #include <CGAL/Animated_mesh_features/IO/read_mesh.h>
-#include <CGAL/Animated_mesh_features/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 
 #include <cstddef>
 #include <filesystem>

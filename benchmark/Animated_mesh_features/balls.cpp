@@ -11,10 +11,10 @@
 #include "animations.h"
 #include "benchmark_support.h"
 
-#include <CGAL/Animated_mesh_features/CGAL_heat_method_geodesic_balls.h>
-#include <CGAL/Animated_mesh_features/Compressed_rows.h>
-#include <CGAL/Animated_mesh_features/Dijkstra_geodesic_balls.h>
-#include <CGAL/Animated_mesh_features/Heat_method_geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/CGAL_heat_method_geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Numerics/Compressed_rows.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/Dijkstra_geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/Heat_method_geodesic_balls.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>

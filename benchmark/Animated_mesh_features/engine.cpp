@@ -12,9 +12,9 @@
 #include "benchmark_support.h"
 #include "kernels.h"
 
-#include <CGAL/Animated_mesh_features/curvature.h>
-#include <CGAL/Animated_mesh_features/deformation.h>
-#include <CGAL/Animated_mesh_features/strain.h>
+#include <CGAL/Animated_mesh_features/Deformation/curvature.h>
+#include <CGAL/Animated_mesh_features/Deformation/deformation.h>
+#include <CGAL/Animated_mesh_features/Deformation/strain.h>
 #include <CGAL/detect_spatio_temporal_features.h>
 
 #ifdef _OPENMP
@@ -220,7 +220,7 @@ public:
 private:
   double kernel_rate() const
   {
-    Scale_space_kernel kernel(m_counts.box_width, m_arguments.quick ? 2000 : 20000);
+    Scale_space_loop kernel(m_counts.box_width, m_arguments.quick ? 2000 : 20000);
     return kernel.samples() / least_seconds([&] { run_widest(kernel); }, Repetitions{5, 50, 1});
   }
 
@@ -321,7 +321,7 @@ void print_kernel(const Arguments& arguments, Report& report)
           std::to_string(8 * register_bytes()) + " bits.",
       {"box width", "1e9 samples/s"});
   for (std::size_t width : {5, 8, 10, 20}) {
-    Scale_space_kernel kernel(width, arguments.quick ? 2000 : 20000);
+    Scale_space_loop kernel(width, arguments.quick ? 2000 : 20000);
     table.add(width, 1e-9 * kernel.samples() / least_seconds([&] { run_widest(kernel); }, Repetitions{5, 50, 1}));
   }
   report.add(table);

@@ -87,7 +87,7 @@ void run_widest(Kernel& kernel)
 // Twelve independent chains of multiply-and-add in registers: enough for two units with a latency of five, and not more
 // than sixteen registers hold.
 template <class T>
-struct Multiply_add_kernel
+struct Multiply_add_loop
 {
   static constexpr std::size_t chains = 12;
   std::size_t steps;
@@ -118,12 +118,12 @@ struct Multiply_add_kernel
 
 // STREAM's triad a = b + s c on three arrays, so many times over. By STREAM's convention 24 bytes an element are moved;
 // that the caches read a as well before it is written does not count.
-struct Triad_kernel
+struct Triad_loop
 {
   Aligned_values<double> a, b, c;
   std::size_t sweeps;
 
-  Triad_kernel(std::size_t bytes, std::size_t number_of_sweeps)
+  Triad_loop(std::size_t bytes, std::size_t number_of_sweeps)
     : a(bytes / 24 / 64 * 64, 0)
     , b(a.size(), 1)
     , c(a.size(), 2)
@@ -155,14 +155,14 @@ struct Triad_kernel
 // (of the differences in space and in time), their weighted sum, and the comparison with the 8 neighbouring scales and
 // the 2 neighbouring frames. A register holds as many vertices; rows are so short that all of it stays in the L1 cache,
 // and every row is a neighbour of the other two. Survivors are counted, not examined.
-struct Scale_space_kernel
+struct Scale_space_loop
 {
   static constexpr std::size_t frames = 16, rows = 3; // 27 KB with registers of 64 bytes
   std::size_t box_width, time_levels;
   std::size_t minima = 0;
   Aligned_values<float> memory;
 
-  Scale_space_kernel(std::size_t width, std::size_t levels)
+  Scale_space_loop(std::size_t width, std::size_t levels)
     : box_width(width)
     , time_levels(levels)
     , memory((4 + 3 + 2) * rows * frames * 16)

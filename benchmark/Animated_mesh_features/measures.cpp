@@ -10,8 +10,8 @@
 #include "animations.h"
 #include "benchmark_support.h"
 
-#include <CGAL/Animated_mesh_features/curvature.h>
-#include <CGAL/Animated_mesh_features/strain.h>
+#include <CGAL/Animated_mesh_features/Deformation/curvature.h>
+#include <CGAL/Animated_mesh_features/Deformation/strain.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 

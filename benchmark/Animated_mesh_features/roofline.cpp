@@ -11,10 +11,10 @@
 #include "benchmark_support.h"
 #include "kernels.h"
 
-#include <CGAL/Animated_mesh_features/Dijkstra_geodesic_balls.h>
-#include <CGAL/Animated_mesh_features/Heat_diffusion_filter.h>
-#include <CGAL/Animated_mesh_features/curvature.h>
-#include <CGAL/Animated_mesh_features/strain.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/Dijkstra_geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Heat_diffusion_filter.h>
+#include <CGAL/Animated_mesh_features/Deformation/curvature.h>
+#include <CGAL/Animated_mesh_features/Deformation/strain.h>
 #include <CGAL/detect_spatio_temporal_features.h>
 
 #include <Eigen/SparseCholesky>
@@ -78,10 +78,10 @@ double least_seconds_of_all(std::vector<std::unique_ptr<Kernel>>& kernels, const
 double bandwidth(std::size_t bytes_per_thread, std::size_t threads, const Arguments& arguments)
 {
   const double moved = arguments.quick ? 2e8 : 2e9; // by each thread in a run
-  std::vector<std::unique_ptr<Triad_kernel>> kernels;
+  std::vector<std::unique_ptr<Triad_loop>> kernels;
   for (std::size_t i = 0; i < threads; ++i)
     kernels.push_back(
-        std::make_unique<Triad_kernel>(bytes_per_thread, 1 + std::size_t(moved / double(bytes_per_thread))));
+        std::make_unique<Triad_loop>(bytes_per_thread, 1 + std::size_t(moved / double(bytes_per_thread))));
   double bytes = 0;
   for (const auto& k : kernels) bytes += k->bytes_moved();
   return bytes / least_seconds_of_all(kernels, repetitions(arguments));
@@ -90,10 +90,10 @@ double bandwidth(std::size_t bytes_per_thread, std::size_t threads, const Argume
 template <class T>
 double peak(std::size_t threads, const Arguments& arguments)
 {
-  std::vector<std::unique_ptr<Multiply_add_kernel<T>>> kernels;
+  std::vector<std::unique_ptr<Multiply_add_loop<T>>> kernels;
   double flops = 0;
   for (std::size_t i = 0; i < threads; ++i) {
-    kernels.push_back(std::make_unique<Multiply_add_kernel<T>>());
+    kernels.push_back(std::make_unique<Multiply_add_loop<T>>());
     kernels.back()->steps = arguments.quick ? 1000000 : 20000000;
     flops += kernels.back()->flops();
   }

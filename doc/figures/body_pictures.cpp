@@ -13,13 +13,13 @@
 
 #include "generators/articulated_figure.h"
 
-#include <CGAL/Animated_mesh_features/Feature_detector.h>
-#include <CGAL/Animated_mesh_features/Heat_diffusion_filter.h>
-#include <CGAL/Animated_mesh_features/IO/internal/Png_encoder.h>
-#include <CGAL/Animated_mesh_features/Rendering/Contact_sheet.h>
-#include <CGAL/Animated_mesh_features/Rendering/Legend.h>
-#include <CGAL/Animated_mesh_features/Rendering/Panel_cameras.h>
-#include <CGAL/Animated_mesh_features/Rendering/render.h>
+#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Heat_diffusion_filter.h>
+#include "pictures/Png_encoder.h"
+#include "rendering/Contact_sheet.h"
+#include "rendering/Legend.h"
+#include "rendering/Panel_cameras.h"
+#include "rendering/render.h"
 
 #include <algorithm>
 #include <cmath>

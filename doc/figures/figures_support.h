@@ -10,7 +10,7 @@
 // What the programs that compute the manual's figures share: the numbers of a figure as JSON, and a loop for filters that
 // are used without a detector.
 
-#include <CGAL/Animated_mesh_features/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

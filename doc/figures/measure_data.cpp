@@ -13,10 +13,10 @@
 
 #include "generators/bending_cylinder.h"
 
-#include <CGAL/Animated_mesh_features/Feature_detector.h>
-#include <CGAL/Animated_mesh_features/One_ring_average_filter.h>
-#include <CGAL/Animated_mesh_features/Strain_measures.h>
-#include <CGAL/Animated_mesh_features/curvature.h>
+#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
+#include <CGAL/Animated_mesh_features/Scale_space/One_ring_average_filter.h>
+#include <CGAL/Animated_mesh_features/Deformation/Strain_measures.h>
+#include <CGAL/Animated_mesh_features/Deformation/curvature.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -13,13 +13,13 @@
 
 #include "generators/bending_cylinder.h"
 
-#include <CGAL/Animated_mesh_features/Difference_of_gaussians.h>
-#include <CGAL/Animated_mesh_features/Feature_detector.h>
-#include <CGAL/Animated_mesh_features/Gaussian_temporal_filter.h>
-#include <CGAL/Animated_mesh_features/Heat_diffusion_filter.h>
-#include <CGAL/Animated_mesh_features/Rendering/Palette.h>
-#include <CGAL/Animated_mesh_features/Scale_sampling.h>
-#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Difference_of_gaussians.h>
+#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Gaussian_temporal_filter.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Heat_diffusion_filter.h>
+#include "rendering/Palette.h"
+#include <CGAL/Animated_mesh_features/Scale_space/Scale_sampling.h>
+#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,9 +8,9 @@
 
 #include "generators/bending_cylinder.h"
 
-#include <CGAL/Animated_mesh_features/Feature_detector.h>
-#include <CGAL/Animated_mesh_features/Frame_sequence.h>
-#include <CGAL/Animated_mesh_features/frame_property_map.h>
+#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
+#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Animation/frame_property_map.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

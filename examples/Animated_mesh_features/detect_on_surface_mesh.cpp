@@ -8,7 +8,7 @@
 
 #include "generators/bending_cylinder.h"
 
-#include <CGAL/Animated_mesh_features/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/detect_spatio_temporal_features.h>

@@ -9,10 +9,10 @@
 
 #include "generators/bending_cylinder.h"
 
-#include <CGAL/Animated_mesh_features/Feature_detector.h>
-#include <CGAL/Animated_mesh_features/Frame_sequence.h>
-#include <CGAL/Animated_mesh_features/Visitor.h>
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
+#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Default_visitor.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

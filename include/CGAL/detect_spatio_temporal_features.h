@@ -7,12 +7,19 @@
 #ifndef CGAL_DETECT_SPATIO_TEMPORAL_FEATURES_H
 #define CGAL_DETECT_SPATIO_TEMPORAL_FEATURES_H
 
-#include <CGAL/Animated_mesh_features/Detection_options.h>
-#include <CGAL/Animated_mesh_features/Feature_detector.h>
-#include <CGAL/Animated_mesh_features/Frame_sequence.h>
-#include <CGAL/Animated_mesh_features/Visitor.h>
+#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Animation/as_frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Deformation/Deformation_measurement.h>
+#include <CGAL/Animated_mesh_features/Detection/Detection_options.h>
+#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
+#include <CGAL/Animated_mesh_features/Detection/place_on_animation.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Default_visitor.h>
 
 #include <CGAL/tags.h>
+
+#include <iterator>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 
@@ -46,9 +53,13 @@ same, bit for bit.
 \throw Animated_mesh_features::Numerical_error if a factorisation fails;
 \throw Animated_mesh_features::Cancelled if the visitor asked for it. In each case nothing has been written to `out`.
 
-Linear in `N F` times the number of pairs of levels, plus the geodesic balls and the spatial filter; see
-`Animated_mesh_features::Feature_detector`, which is for repeated use.
+Linear in `N F` times the number of pairs of levels, plus the geodesic balls and the spatial filter.
 
+It is made of two stages, each of which can be used alone: `Animated_mesh_features::Deformation_measurement` makes the
+field of an animation, and `Animated_mesh_features::Feature_detector` finds features in a field over a rest shape - also in
+a field of your own, and again with other thresholds at next to no cost.
+
+\sa `Animated_mesh_features::Deformation_measurement`
 \sa `Animated_mesh_features::Feature_detector`
 */
 template <class ConcurrencyTag = Parallel_if_available_tag,
@@ -61,8 +72,26 @@ OutputIterator detect_spatio_temporal_features(const Animation& animation,
                                                Options options = Options(),
                                                Visitor visitor = Visitor())
 {
-  Animated_mesh_features::Feature_detector<Animation, Options, ConcurrencyTag> detector(animation, options);
-  return detector(out, visitor);
+  namespace Amf = Animated_mesh_features;
+  typedef typename Animation::FT FT;
+  typedef typename Options::Search Search;
+  typedef Amf::Frame_sequence<typename Animation::Triangle_mesh, FT> Sequence;
+  options.selection.check();
+  const Sequence& sequence = Amf::as_frame_sequence(animation);
+  Amf::Spatio_temporal_field<FT> deformation;
+  double noise = 0;
+  { // the geodesic balls are not needed any longer than this
+    Amf::Deformation_measurement<Sequence, typename Options::Measurement, ConcurrencyTag> measurement(sequence, options);
+    deformation = measurement.take_deformation(visitor);
+    noise = measurement.noise();
+  }
+  Amf::Feature_detector<FT, Search, ConcurrencyTag> detector(sequence.rest_shape(), std::move(deformation),
+                                                             sequence.frame_duration(), options, noise);
+  detector.selection() = options.selection;
+  std::vector<Amf::Spatio_temporal_feature<Amf::Rest_shape::Index>> features;
+  detector(std::back_inserter(features), visitor);
+  for (const auto& feature : features) *out++ = Amf::place_on_animation(feature, sequence);
+  return out;
 }
 
 } // namespace CGAL

@@ -7,7 +7,7 @@
 // The detector on fields whose features are known: Gaussian blobs in space and time on surfaces of which the geodesic
 // distances are known. What it finds must lie where the blobs are, with their scales.
 
-#include <CGAL/Animated_mesh_features/Feature_detector.h>
+#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -11,7 +11,7 @@
 #include "test_support.h"
 
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/Animated_mesh_features/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
 
 #include <Eigen/Geometry>
 

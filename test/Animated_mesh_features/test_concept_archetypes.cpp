@@ -11,7 +11,7 @@
 #include "test_bumpy_sphere.h"
 #include "test_support.h"
 
-#include <CGAL/Animated_mesh_features/Feature_detector.h>
+#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/detect_spatio_temporal_features.h>
 

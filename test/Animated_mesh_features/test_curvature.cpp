@@ -9,11 +9,11 @@
 
 #include "test_shapes.h"
 
-#include <CGAL/Animated_mesh_features/Dijkstra_geodesic_balls.h>
-#include <CGAL/Animated_mesh_features/Frame_sequence.h>
-#include <CGAL/Animated_mesh_features/curvature.h>
-#include <CGAL/Animated_mesh_features/deformation.h>
-#include <CGAL/Animated_mesh_features/strain.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/Dijkstra_geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Deformation/curvature.h>
+#include <CGAL/Animated_mesh_features/Deformation/deformation.h>
+#include <CGAL/Animated_mesh_features/Deformation/strain.h>
 
 #include <CGAL/Kernel/global_functions.h>
 
@@ -443,7 +443,7 @@ void test_numbers_of_frames()
 
 // atan2 in lanes, at all angles and scales.
 template <class FT>
-struct Angle_kernel
+struct Angle_loop
 {
   static constexpr std::size_t lanes = 64 / sizeof(FT);
   const FT *y, *x;
@@ -453,7 +453,7 @@ struct Angle_kernel
   template <std::size_t register_bytes>
   CGAL_ANIMATED_MESH_FEATURES_INLINE void run()
   {
-    typedef Amf::internal::Lanes<FT, lanes, register_bytes> L;
+    typedef Amf::internal::Pack<FT, lanes, register_bytes> L;
     for (std::size_t i = 0; i < n; i += lanes) Amf::internal::signed_angle(L::load(y + i), L::load(x + i)).store(angles + i);
   }
 };
@@ -475,7 +475,7 @@ void test_angles()
     y[i] = special[i][0];
     x[i] = special[i][1];
   }
-  Angle_kernel<FT> baseline{y.data(), x.data(), angles.data(), n}, widest{y.data(), x.data(), again.data(), n};
+  Angle_loop<FT> baseline{y.data(), x.data(), angles.data(), n}, widest{y.data(), x.data(), again.data(), n};
   Ai::run_reproducibly<FT>(Ai::Instruction_set::BASELINE, baseline);
   Ai::run_reproducibly<FT>(Ai::widest_instruction_set(), widest);
   CHECK(angles == again);
@@ -505,7 +505,7 @@ void test_instructions()
   const auto sequence = sequence_of<FT>(mesh, w.rest.points, w.frames);
   const Amf::Compressed_rows balls = dijkstra_balls(sequence, 0.3);
   Amf::Default_visitor visitor;
-  const Ai::Task_loop<CGAL::Sequential_tag, Amf::Default_visitor> loop(visitor, Amf::Stage::CURVATURE);
+  const Amf::Task_loop<CGAL::Sequential_tag, Amf::Default_visitor> loop(visitor, Amf::Stage::CURVATURE);
   const auto change = [&](const auto& measure, Ai::Instruction_set instructions) {
     return Ai::curvature_change_rows(sequence.flat_animation(), balls, measure, loop, instructions);
   };

@@ -9,15 +9,15 @@
 
 #include "test_shapes.h"
 
-#include <CGAL/Animated_mesh_features/Box_temporal_filter.h>
-#include <CGAL/Animated_mesh_features/Difference_of_gaussians.h>
-#include <CGAL/Animated_mesh_features/Extremum_search.h>
-#include <CGAL/Animated_mesh_features/Gaussian_temporal_filter.h>
-#include <CGAL/Animated_mesh_features/Heat_diffusion_filter.h>
-#include <CGAL/Animated_mesh_features/One_ring_average_filter.h>
-#include <CGAL/Animated_mesh_features/internal/Scale_space_engine.h>
-#include <CGAL/Animated_mesh_features/internal/refine_extremum.h>
-#include <CGAL/Animated_mesh_features/internal/suppress_non_maxima.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Box_temporal_filter.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Difference_of_gaussians.h>
+#include <CGAL/Animated_mesh_features/Extrema/Extremum_search.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Gaussian_temporal_filter.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Heat_diffusion_filter.h>
+#include <CGAL/Animated_mesh_features/Scale_space/One_ring_average_filter.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Scale_space_engine.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/refine_extremum.h>
+#include <CGAL/Animated_mesh_features/Detection/internal/suppress_non_maxima.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
   #include <tbb/global_control.h>
@@ -36,7 +36,7 @@ typedef Amf::internal::Extremum Extremum;
 typedef Amf::Spatio_temporal_field<double> Field;
 typedef std::vector<double> Row;
 
-const double clock_tick = 1. / 30;
+const double frame_duration = 1. / 30;
 
 // The variances of the levels and the units of the response.
 struct Levels
@@ -51,7 +51,7 @@ Levels levels_at_ratio(std::size_t space, std::size_t time, double smallest_spac
   Levels levels;
   for (std::size_t k = 0; k < space; ++k) levels.space.push_back(smallest_space * std::pow(ratio, 2 * double(k)));
   for (std::size_t l = 0; l < time; ++l)
-    levels.time.push_back(0.2 * std::pow(ratio, 2 * double(l)) * clock_tick * clock_tick);
+    levels.time.push_back(0.2 * std::pow(ratio, 2 * double(l)) * frame_duration * frame_duration);
   levels.unit_length = std::sqrt(std::sqrt(levels.space.front() * levels.space.back()));
   levels.unit_time = std::sqrt(std::sqrt(levels.time.front() * levels.time.back()));
   return levels;
@@ -64,7 +64,7 @@ Levels levels_of_counts(std::size_t space, std::size_t time, std::size_t first, 
   for (std::size_t k = 0; k < space; ++k) levels.space.push_back(double(first + k) * space_unit);
   for (std::size_t l = 0; l < time; ++l) levels.time.push_back(double(first + l) * time_unit);
   levels.unit_length = std::sqrt(5 * space_unit);
-  levels.unit_time = clock_tick;
+  levels.unit_time = frame_duration;
   return levels;
 }
 
@@ -73,9 +73,9 @@ void initialize(const Rest_shape& shape, std::size_t frames, const Levels& level
                 TemporalFilter& temporal, Response& response)
 {
   Amf::Default_visitor visitor;
-  const Amf::internal::Task_loop<CGAL::Sequential_tag, Amf::Default_visitor> loop(visitor, Amf::Stage::SCALE_SPACE);
+  const Amf::Task_loop<CGAL::Sequential_tag, Amf::Default_visitor> loop(visitor, Amf::Stage::SCALE_SPACE);
   spatial.initialize(shape, levels.space, loop);
-  temporal.initialize(frames, clock_tick, levels.time);
+  temporal.initialize(frames, frame_duration, levels.time);
   Row sigma, tau;
   for (std::size_t k = 0; k < levels.space.size(); ++k) sigma.push_back(std::sqrt(spatial.variance(k)));
   for (std::size_t l = 0; l < levels.time.size(); ++l) tau.push_back(std::sqrt(temporal.variance(l)));
@@ -171,7 +171,7 @@ public:
     for (std::size_t k = 0; k < m_space; ++k) s.push_back(spatial.variance(k));
     for (std::size_t l = 0; l < m_time; ++l) u.push_back(temporal.variance(l));
     Amf::Default_visitor visitor;
-    const Amf::internal::Task_loop<CGAL::Sequential_tag, Amf::Default_visitor> loop(visitor, Amf::Stage::SCALE_SPACE);
+    const Amf::Task_loop<CGAL::Sequential_tag, Amf::Default_visitor> loop(visitor, Amf::Stage::SCALE_SPACE);
     std::vector<Field> smoothed(m_space * m_time, Field(field.number_of_rows(), m_frames));
     // Space before time, as the engine does: a spatial filter may be linear up to single precision only.
     Field now = field, next(field.number_of_rows(), m_frames);
@@ -380,7 +380,7 @@ void test_against_brute_force()
     const double space_unit = ring.unit_variance(shape);
     const Levels ratio = levels_at_ratio(space, time, 0.1 * h * h, 1.25);
     const auto counts = [&](const auto& temporal, std::size_t first) {
-      return levels_of_counts(space, time, first, space_unit, temporal.unit_variance(frames, clock_tick));
+      return levels_of_counts(space, time, first, space_unit, temporal.unit_variance(frames, frame_duration));
     };
     const std::string name =
         std::to_string(frames) + " frames, " + std::to_string(space) + " x " + std::to_string(time) + " levels, ";
@@ -389,7 +389,7 @@ void test_against_brute_force()
     n += check_case(name + "heat, fitting boxes, central", shape, field, ratio, heat, Amf::Box_temporal_filter(),
                     central);
     n += check_case(name + "heat, gaussian, forward", shape, field, ratio, heat, gaussian, forward);
-    const Amf::Box_temporal_filter box(3), even(4, Amf::Row_ends::TRUNCATE), wide(25), wide_even(24, Amf::Row_ends::REPLICATE);
+    const Amf::Box_temporal_filter box(3), even(4, Amf::Boundary_condition::TRUNCATE), wide(25), wide_even(24, Amf::Boundary_condition::REPLICATE);
     n += check_case(name + "ring, box, central", shape, field, counts(box, 1), ring, box, central);
     n += check_case(name + "ring, box, forward", shape, field, counts(box, 0), ring, box, forward);
     n += check_case(name + "ring, even box, forward", shape, field, counts(even, 0), ring, even, forward);
@@ -427,7 +427,7 @@ void test_small_variations()
   };
   const Amf::Box_temporal_filter box(3);
   const Amf::Gaussian_temporal_filter gaussian;
-  check("small variations, equal steps", levels_of_counts(20, 9, 0, space_unit, box.unit_variance(20, clock_tick)), box,
+  check("small variations, equal steps", levels_of_counts(20, 9, 0, space_unit, box.unit_variance(20, frame_duration)), box,
         Amf::Forward_difference_of_gaussians());
   check("small variations, levels far apart", levels_at_ratio(7, 7, 2 * h * h, 2), gaussian,
         Amf::Central_difference_of_gaussians());

@@ -9,7 +9,7 @@
 
 #include "test_same_features.h"
 
-#include <CGAL/Animated_mesh_features/strain.h>
+#include <CGAL/Animated_mesh_features/Deformation/strain.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 

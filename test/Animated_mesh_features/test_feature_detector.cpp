@@ -9,7 +9,7 @@
 
 #include "test_same_features.h"
 
-#include <CGAL/Animated_mesh_features/Feature_detector.h>
+#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
 #include <CGAL/Surface_mesh.h>
 
 #ifdef CGAL_LINKED_WITH_TBB

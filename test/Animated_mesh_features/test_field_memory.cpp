@@ -10,9 +10,9 @@
 #include "test_shapes.h"
 #include "test_support.h"
 
-#include <CGAL/Animated_mesh_features/Memory_estimate.h>
-#include <CGAL/Animated_mesh_features/Scratch_field_memory.h>
-#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Detection/Memory_estimate.h>
+#include <CGAL/Animated_mesh_features/Numerics/memory/Scratch_field_memory.h>
+#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
 #include <CGAL/detect_spatio_temporal_features.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -65,7 +65,7 @@ void test_values()
     CHECK(is_zero(field));
     CHECK(reinterpret_cast<std::uintptr_t>(field.row(0)) % 64 == 0);
     CHECK(reinterpret_cast<std::uintptr_t>(field.row(1)) % 64 == 0);
-    CHECK(field.memory() == Field::memory(37, frames));
+    CHECK(field.size_in_bytes() == Field::size_in_bytes(37, frames));
     fill(field, 3);
     Field copy = field, other(5, frames), same_size(37, frames);
     fill(field, 2);
@@ -86,7 +86,7 @@ void test_values()
   }
   const Field empty;
   const Field copy = empty;
-  CHECK(copy.number_of_rows() == 0 && copy.memory() == 0);
+  CHECK(copy.number_of_rows() == 0 && copy.size_in_bytes() == 0);
 }
 
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
@@ -175,7 +175,7 @@ int main()
   // An estimate grows with what it is of, and is never below the fields themselves.
   const Amf::Memory_estimate small = Amf::estimated_memory(10000, 50, 8), large = Amf::estimated_memory(20000, 50, 8);
   CHECK(small.fixed < large.fixed && small.least() < small.most() && small.most() < large.most());
-  CHECK(small.level == Field::memory(10000, 50) && small.fields == 4 * Field::memory(10000, 50));
+  CHECK(small.level == Field::size_in_bytes(10000, 50) && small.fields == 4 * Field::size_in_bytes(10000, 50));
   CHECK(small.for_levels(small.most()) == small.most_levels * small.level);
   CHECK(small.for_levels(0) == small.least_levels * small.level);
   CHECK(Amf::available_memory() > 0);

@@ -8,15 +8,15 @@
 
 #include "test_shapes.h"
 
-#include <CGAL/Animated_mesh_features/Box_temporal_filter.h>
-#include <CGAL/Animated_mesh_features/Gaussian_temporal_filter.h>
-#include <CGAL/Animated_mesh_features/Heat_diffusion_filter.h>
-#include <CGAL/Animated_mesh_features/One_ring_average_filter.h>
-#include <CGAL/Animated_mesh_features/internal/Lanes.h>
-#include <CGAL/Animated_mesh_features/internal/Level_chains.h>
-#include <CGAL/Animated_mesh_features/internal/Window_sum.h>
-#include <CGAL/Animated_mesh_features/internal/run_vectorized.h>
-#include <CGAL/Animated_mesh_features/internal/parallel_for.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Box_temporal_filter.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Gaussian_temporal_filter.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Heat_diffusion_filter.h>
+#include <CGAL/Animated_mesh_features/Scale_space/One_ring_average_filter.h>
+#include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Level_cascade.h>
+#include <CGAL/Animated_mesh_features/Scale_space/internal/Window_sum.h>
+#include <CGAL/Animated_mesh_features/Numerics/simd/run_vectorized.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
 
 #include <boost/math/constants/constants.hpp>
 #include <boost/math/special_functions/bessel.hpp>
@@ -32,7 +32,7 @@ typedef Amf::Rest_shape Rest_shape;
 typedef Amf::Spatio_temporal_field<double> Field;
 typedef std::vector<double> Row;
 
-const double clock_tick = 1. / 30; // seconds between frames
+const double frame_duration = 1. / 30; // seconds between frames
 
 // Level `l` of a row.
 template <class FT = double, class Filter>
@@ -48,7 +48,7 @@ std::vector<FT> smoothed(const Filter& filter, std::size_t levels, std::vector<F
 
 Row in_seconds(Row squared_frames)
 {
-  for (double& u : squared_frames) u *= clock_tick * clock_tick;
+  for (double& u : squared_frames) u *= frame_duration * frame_duration;
   return squared_frames;
 }
 
@@ -109,12 +109,12 @@ void test_box_variances()
     const double unit = w % 2 == 1 ? (width * width - 1) / 12 : (width * width + 2) / 12;
     Amf::Box_temporal_filter filter(w);
     CHECK(filter.width() == w);
-    CHECK_NEAR(filter.unit_variance(n, clock_tick) / (clock_tick * clock_tick), unit, 1e-12);
+    CHECK_NEAR(filter.unit_variance(n, frame_duration) / (frame_duration * frame_duration), unit, 1e-12);
     if (w == 1) continue; // no smoothing
-    filter.initialize(n, clock_tick, in_seconds({unit, 2 * unit, 2 * unit, 7 * unit}));
+    filter.initialize(n, frame_duration, in_seconds({unit, 2 * unit, 2 * unit, 7 * unit}));
     std::size_t level = 0;
     for (double passes : {1., 2., 2., 7.}) {
-      CHECK_NEAR(filter.variance(level) / (clock_tick * clock_tick), passes * unit, 1e-11);
+      CHECK_NEAR(filter.variance(level) / (frame_duration * frame_duration), passes * unit, 1e-11);
       check_kernel(smoothed(filter, ++level, impulse(n)), passes * unit, 1e-10);
     }
     // a single pass is a plain mean: of w frames, or of w + 1 of which the ends count half
@@ -128,23 +128,23 @@ void test_box_variances()
   // boxes that fit the variance, whatever it is
   const Row variances = {0.01, 0.3, 0.3, 1, 2.5, 6, 6.0001, 50, 400};
   Amf::Box_temporal_filter filter;
-  filter.initialize(n, clock_tick, in_seconds(variances));
+  filter.initialize(n, frame_duration, in_seconds(variances));
   for (std::size_t l = 0; l < variances.size(); ++l) {
-    CHECK_NEAR(filter.variance(l) / (clock_tick * clock_tick), variances[l], 1e-11 * variances[l]);
+    CHECK_NEAR(filter.variance(l) / (frame_duration * frame_duration), variances[l], 1e-11 * variances[l]);
     check_kernel(smoothed(filter, l + 1, impulse(n)), variances[l], 1e-9 * (1 + variances[l]));
   }
   // three boxes of width w make a parabola at the centre, of height 3 / (4 w) with w^2 / 4 = variance: 0.94 of a Gaussian's
-  filter.initialize(n, clock_tick, in_seconds({900}));
+  filter.initialize(n, frame_duration, in_seconds({900}));
   CHECK_NEAR(smoothed(filter, 1, impulse(n))[n / 2], 0.375 / 30, 1e-5);
 }
 
 // The value of frame f beyond the ends of a row, by walking back and forth.
-double beyond(const Row& row, long f, Amf::Row_ends ends, bool& exists)
+double beyond(const Row& row, long f, Amf::Boundary_condition ends, bool& exists)
 {
   const long n = long(row.size());
   exists = true;
-  if (ends == Amf::Row_ends::REPLICATE) return row[std::size_t(std::max(0L, std::min(n - 1, f)))];
-  if (ends == Amf::Row_ends::REFLECT) {
+  if (ends == Amf::Boundary_condition::REPLICATE) return row[std::size_t(std::max(0L, std::min(n - 1, f)))];
+  if (ends == Amf::Boundary_condition::REFLECT) {
     while (f < 0 || f >= n) f = f < 0 ? -1 - f : 2 * n - 1 - f;
     return row[std::size_t(f)];
   }
@@ -157,10 +157,10 @@ void test_box_ends()
   Random random(31);
   for (std::size_t n : {3, 4, 7, 20})
     for (std::size_t w : {2, 3, 4, 5, 8, 11, 17})
-      for (const Amf::Row_ends ends : {Amf::Row_ends::REFLECT, Amf::Row_ends::REPLICATE, Amf::Row_ends::TRUNCATE}) {
+      for (const Amf::Boundary_condition ends : {Amf::Boundary_condition::REFLECT, Amf::Boundary_condition::REPLICATE, Amf::Boundary_condition::TRUNCATE}) {
         Amf::Box_temporal_filter filter(w, ends);
-        const double unit = filter.unit_variance(n, clock_tick);
-        filter.initialize(n, clock_tick, {unit, 3 * unit});
+        const double unit = filter.unit_variance(n, frame_duration);
+        filter.initialize(n, frame_duration, {unit, 3 * unit});
         const Row row = random_row(n, random);
         Row expected = row;
         for (int pass = 0; pass < 3; ++pass) {
@@ -180,18 +180,18 @@ void test_box_ends()
         }
         CHECK(largest_difference(smoothed(filter, 2, row), expected) < 1e-13);
         CHECK(largest_difference(smoothed(filter, 2, Row(n, 0.3)), Row(n, 0.3)) < 1e-15);
-        if (ends == Amf::Row_ends::REFLECT) CHECK_NEAR(sum_of(smoothed(filter, 2, row)), sum_of(row), 1e-12);
+        if (ends == Amf::Boundary_condition::REFLECT) CHECK_NEAR(sum_of(smoothed(filter, 2, row)), sum_of(row), 1e-12);
       }
   // the default is to reflect
   const Row row = random_row(9, random);
-  Amf::Box_temporal_filter usual(5), reflecting(5, Amf::Row_ends::REFLECT);
-  usual.initialize(9, clock_tick, {usual.unit_variance(9, clock_tick)});
-  reflecting.initialize(9, clock_tick, {usual.unit_variance(9, clock_tick)});
+  Amf::Box_temporal_filter usual(5), reflecting(5, Amf::Boundary_condition::REFLECT);
+  usual.initialize(9, frame_duration, {usual.unit_variance(9, frame_duration)});
+  reflecting.initialize(9, frame_duration, {usual.unit_variance(9, frame_duration)});
   CHECK(smoothed(usual, 1, row) == smoothed(reflecting, 1, row));
 }
 
 // Rows as pairs of lanes, smoothed with the instructions of a set.
-struct Pair_kernel
+struct Pair_loop
 {
   const Amf::Box_temporal_filter& filter;
   const std::vector<Row>& rows; // 32 of them
@@ -200,9 +200,9 @@ struct Pair_kernel
   template <std::size_t bytes>
   void run()
   {
-    typedef Amf::internal::Lanes<float, 16, bytes> L;
+    typedef Amf::internal::Pack<float, 16, bytes> L;
     const std::size_t n = rows.front().size();
-    std::vector<Amf::internal::Lane_pair<L>> in(n), out(n);
+    std::vector<Amf::internal::Pack_pair<L>> in(n), out(n);
     for (std::size_t f = 0; f < n; ++f) {
       float p[16], q[16];
       for (std::size_t i = 0; i < 16; ++i) {
@@ -226,7 +226,7 @@ struct Pair_kernel
 };
 
 // What is computed for many rows at once, in single precision, against one row at a time.
-void test_box_lanes()
+void test_box_packs()
 {
   Random random(33);
   const double largest = 3; // of a random row
@@ -235,13 +235,13 @@ void test_box_lanes()
     if (set > Amf::internal::widest_instruction_set()) break;
     for (std::size_t n : {3, 4, 7, 20, 49})
       for (std::size_t w = 2; w <= 14; ++w)
-        for (const Amf::Row_ends ends : {Amf::Row_ends::REFLECT, Amf::Row_ends::REPLICATE, Amf::Row_ends::TRUNCATE}) {
+        for (const Amf::Boundary_condition ends : {Amf::Boundary_condition::REFLECT, Amf::Boundary_condition::REPLICATE, Amf::Boundary_condition::TRUNCATE}) {
           Amf::Box_temporal_filter filter(w, ends);
-          const double unit = filter.unit_variance(n, clock_tick);
-          filter.initialize(n, clock_tick, {unit, 4 * unit}); // three passes from level to level
+          const double unit = filter.unit_variance(n, frame_duration);
+          filter.initialize(n, frame_duration, {unit, 4 * unit}); // three passes from level to level
           std::vector<Row> rows;
           for (std::size_t i = 0; i < 32; ++i) rows.push_back(random_row(n, random));
-          Pair_kernel kernel = {filter, rows, {}};
+          Pair_loop kernel = {filter, rows, {}};
           Amf::internal::run_vectorized<float>(set, kernel);
           double difference = 0;
           for (std::size_t i = 0; i < 32; ++i) {
@@ -282,8 +282,8 @@ void test_gaussian()
   for (std::size_t n : {3, 5, 8, 24, 48, 61})
     for (const double u : {0.01, 0.4, 1., 3.3, 20., 150.}) {
       Amf::Gaussian_temporal_filter filter;
-      filter.initialize(n, clock_tick, in_seconds({u}));
-      CHECK_NEAR(filter.variance(0) / (clock_tick * clock_tick), u, 1e-12 * u);
+      filter.initialize(n, frame_duration, in_seconds({u}));
+      CHECK_NEAR(filter.variance(0) / (frame_duration * frame_duration), u, 1e-12 * u);
       // the discrete Gaussian exp(-u) I_m(u) on a line on which the row and its mirror image alternate
       const auto kernel = [&](long m) { return std::exp(-u) * boost::math::cyl_bessel_i(double(std::abs(m)), u); };
       const Row row = random_row(n, random);
@@ -292,14 +292,14 @@ void test_gaussian()
       for (long f = 0; f < long(n); ++f)
         for (long m = -reach; m <= reach; ++m) {
           bool exists;
-          expected[std::size_t(f)] += kernel(m) * beyond(row, f + m, Amf::Row_ends::REFLECT, exists);
+          expected[std::size_t(f)] += kernel(m) * beyond(row, f + m, Amf::Boundary_condition::REFLECT, exists);
         }
       const Row direct = smoothed(filter, 1, row);
       CHECK(largest_difference(direct, expected) < 2e-13);
       CHECK_NEAR(sum_of(direct), sum_of(row), 1e-11);
       CHECK(largest_difference(smoothed(filter, 1, Row(n, 0.3)), Row(n, 0.3)) < 1e-13);
       // semigroup: by steps of any size, among them none
-      filter.initialize(n, clock_tick, in_seconds({0.1 * u, 0.1 * u, 0.35 * u, 0.36 * u, u}));
+      filter.initialize(n, frame_duration, in_seconds({0.1 * u, 0.1 * u, 0.35 * u, 0.36 * u, u}));
       CHECK(largest_difference(smoothed(filter, 5, row), direct) < 1e-12);
       CHECK(largest_difference(smoothed(filter, 1, row), smoothed(filter, 2, row)) < 1e-14);
       std::size_t extrema = number_of_extrema(row);
@@ -310,17 +310,17 @@ void test_gaussian()
       }
     }
   Amf::Gaussian_temporal_filter filter;
-  filter.initialize(401, clock_tick, in_seconds({2, 70}));
+  filter.initialize(401, frame_duration, in_seconds({2, 70}));
   check_kernel(smoothed(filter, 1, impulse(401)), 2, 1e-9);
   check_kernel(smoothed(filter, 2, impulse(401)), 70, 1e-9);
-  CHECK_NEAR(filter.unit_variance(401, clock_tick) / (clock_tick * clock_tick), 2. / 3, 1e-12); // a box of three frames
+  CHECK_NEAR(filter.unit_variance(401, frame_duration) / (frame_duration * frame_duration), 2. / 3, 1e-12); // a box of three frames
 }
 
 template <class Filter>
 void test_temporal_float(Filter filter)
 {
   Random random(33);
-  filter.initialize(50, clock_tick, in_seconds({1, 4, 16}));
+  filter.initialize(50, frame_duration, in_seconds({1, 4, 16}));
   const Row row = random_row(50, random);
   const std::vector<float> rounded = smoothed<float>(filter, 3, std::vector<float>(row.begin(), row.end()));
   const double d = largest_difference(smoothed(filter, 3, row), Row(rounded.begin(), rounded.end()));
@@ -343,7 +343,7 @@ void test_sparse_gaussian()
       Row variances = {0.3};
       while (variances.back() < double(n * n) / 40) variances.push_back(variances.back() * ratio);
       Amf::Gaussian_temporal_filter filter;
-      filter.initialize(n, clock_tick, in_seconds(variances));
+      filter.initialize(n, frame_duration, in_seconds(variances));
       std::vector<Row> rows = {random_row(n, random), random_row(n, random), Row(n, 1), impulse(n)};
       for (std::size_t j = 1; j < n; j += (std::max)(std::size_t(1), n / 60)) rows.push_back(cosine(n, double(j)));
       for (Row& row : rows) {
@@ -377,7 +377,7 @@ std::vector<Amf::Spatio_temporal_field<FT>> levels_of(Filter& filter, const Rest
                                                       const Amf::Spatio_temporal_field<FT>& field)
 {
   Amf::Default_visitor visitor;
-  const Amf::internal::Task_loop<Tag, Amf::Default_visitor> loop(visitor, Amf::Stage::SCALE_SPACE);
+  const Amf::Task_loop<Tag, Amf::Default_visitor> loop(visitor, Amf::Stage::SCALE_SPACE);
   filter.initialize(shape, variances, loop);
   std::vector<Amf::Spatio_temporal_field<FT>> levels;
   for (std::size_t k = 0; k < variances.size(); ++k) {
@@ -465,7 +465,7 @@ void test_one_ring_on_regular_plane()
   }
   // levels that are asked for too closely get counts of their own; equal ones share theirs
   Amf::Default_visitor visitor;
-  const Amf::internal::Task_loop<CGAL::Sequential_tag, Amf::Default_visitor> loop(visitor, Amf::Stage::SCALE_SPACE);
+  const Amf::Task_loop<CGAL::Sequential_tag, Amf::Default_visitor> loop(visitor, Amf::Stage::SCALE_SPACE);
   filter.initialize(shape, {0.2 * u, 1.1 * u, 1.2 * u, 1.3 * u, 1.3 * u, 6.4 * u}, loop);
   const std::size_t expected[] = {0, 1, 2, 3, 3, 6};
   for (std::size_t k = 0; k < 6; ++k) CHECK(filter.count(k) == expected[k]);
@@ -799,7 +799,7 @@ int main()
 {
   test_box_variances();
   test_box_ends();
-  test_box_lanes();
+  test_box_packs();
   test_window_sum<1>();
   test_window_sum<2>();
   test_window_sum<3>();

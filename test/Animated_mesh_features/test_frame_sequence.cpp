@@ -10,7 +10,7 @@
 #include "test_bumpy_sphere.h"
 #include "test_support.h"
 
-#include <CGAL/Animated_mesh_features/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/detect_spatio_temporal_features.h>
 

@@ -9,13 +9,13 @@
 
 #include "test_shapes.h"
 
-#include <CGAL/Animated_mesh_features/CGAL_heat_method_geodesic_balls.h>
-#include <CGAL/Animated_mesh_features/Dijkstra_geodesic_balls.h>
-#include <CGAL/Animated_mesh_features/Global_heat_method_geodesic_balls.h>
-#include <CGAL/Animated_mesh_features/Heat_method_geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/CGAL_heat_method_geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/Dijkstra_geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/Global_heat_method_geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/Heat_method_geodesic_balls.h>
 #include <CGAL/Animated_mesh_features/IO/read_mesh.h>
-#include <CGAL/Animated_mesh_features/curvature.h>
-#include <CGAL/Animated_mesh_features/internal/parallel_for.h>
+#include <CGAL/Animated_mesh_features/Deformation/curvature.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
@@ -562,7 +562,7 @@ void test_threads(const Policy& policy)
 #endif
     const Amf::Compressed_rows rows =
         policy(shape, 0.15,
-               Amf::internal::Task_loop<CGAL::Parallel_if_available_tag, Amf::Default_visitor>(
+               Amf::Task_loop<CGAL::Parallel_if_available_tag, Amf::Default_visitor>(
                    visitor, Amf::Stage::GEODESIC_BALLS));
     bool same = rows.size() == expected.size();
     for (std::size_t v = 0; v < expected.size(); ++v)

@@ -8,7 +8,7 @@
 // orientation of its triangles, when the motion begins, how finely it is sampled. And where they are: at the joints of
 // the bending cylinder, when these bend.
 
-#include <CGAL/Animated_mesh_features/Dijkstra_geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/Dijkstra_geodesic_balls.h>
 #include <CGAL/detect_spatio_temporal_features.h>
 
 #include <CGAL/Aff_transformation_3.h>

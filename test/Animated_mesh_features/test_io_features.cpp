@@ -13,8 +13,8 @@
 #include <CGAL/Animated_mesh_features/IO/write_json.h>
 #include <CGAL/Animated_mesh_features/IO/write_npy.h>
 #include <CGAL/Animated_mesh_features/IO/write_ply.h>
-#include <CGAL/Animated_mesh_features/Spatio_temporal_feature.h>
-#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Detection/Spatio_temporal_feature.h>
+#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
 
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS // asked for by property_tree in Boost 1.74, where it would warn of itself
 #include <boost/property_tree/json_parser.hpp>

@@ -18,10 +18,10 @@ int main()
 
 #else
 
-  #include <CGAL/Animated_mesh_features/Frame_sequence.h>
-  #include <CGAL/Animated_mesh_features/IO/write_html.h>
-  #include <CGAL/Animated_mesh_features/Rendering/Palette.h>
-  #include <CGAL/Animated_mesh_features/Spatio_temporal_feature.h>
+  #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
+  #include "page/write_html.h"
+  #include "rendering/Palette.h"
+  #include <CGAL/Animated_mesh_features/Detection/Spatio_temporal_feature.h>
 
   #include <CGAL/Simple_cartesian.h>
   #include <CGAL/Surface_mesh.h>

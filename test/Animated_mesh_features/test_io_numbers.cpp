@@ -10,8 +10,8 @@
 
 #include <CGAL/Animated_mesh_features/IO/internal/bytes.h>
 #include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
-#include <CGAL/Animated_mesh_features/internal/all_finite.h>
-#include <CGAL/Animated_mesh_features/internal/transpose_frames.h>
+#include <CGAL/Animated_mesh_features/Numerics/all_finite.h>
+#include <CGAL/Animated_mesh_features/Animation/transpose_frames.h>
 
 #include <algorithm>
 #include <array>

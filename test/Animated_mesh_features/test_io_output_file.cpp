@@ -9,7 +9,7 @@
 #include "test_io_support.h"
 
 #include <CGAL/Animated_mesh_features/IO/Output_file.h>
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <stdexcept>
 #include <string>

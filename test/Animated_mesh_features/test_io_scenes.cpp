@@ -9,17 +9,17 @@
 
 #include "test_io_support.h"
 
-#include <CGAL/Animated_mesh_features/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
 #include <CGAL/Animated_mesh_features/IO/Output_folder.h>
-#include <CGAL/Animated_mesh_features/IO/Scene.h>
-#include <CGAL/Animated_mesh_features/IO/feature_in_frame.h>
-#include <CGAL/Animated_mesh_features/IO/internal/Plot_axis.h>
-#include <CGAL/Animated_mesh_features/IO/write_glb.h>
-#include <CGAL/Animated_mesh_features/IO/write_plot.h>
-#include <CGAL/Animated_mesh_features/IO/write_vtk.h>
-#include <CGAL/Animated_mesh_features/Spatio_temporal_feature.h>
-#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include "scenes/Scene.h"
+#include "scenes/feature_in_frame.h"
+#include "plots/Plot_axis.h"
+#include "scenes/write_glb.h"
+#include "plots/write_plot.h"
+#include "scenes/write_vtk.h"
+#include <CGAL/Animated_mesh_features/Detection/Spatio_temporal_feature.h>
+#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

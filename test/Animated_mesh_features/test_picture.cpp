@@ -9,11 +9,11 @@
 
 #include "test_support.h"
 
-#include <CGAL/Animated_mesh_features/Frame_sequence.h>
-#include <CGAL/Animated_mesh_features/IO/picture_of_scene.h>
-#include <CGAL/Animated_mesh_features/Spatio_temporal_feature.h>
+#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
+#include "pictures/picture_of_scene.h"
+#include <CGAL/Animated_mesh_features/Detection/Spatio_temporal_feature.h>
 #ifdef ANIMATED_MESH_FEATURES_TEST_WITH_ZLIB
-  #include <CGAL/Animated_mesh_features/IO/write_png.h>
+  #include "pictures/write_png.h"
 #endif
 
 #include <CGAL/Surface_mesh.h>

@@ -10,8 +10,8 @@
 #include "test_bumpy_sphere.h"
 #include "test_support.h"
 
-#include <CGAL/Animated_mesh_features/Dijkstra_geodesic_balls.h>
-#include <CGAL/Animated_mesh_features/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/Dijkstra_geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/detect_spatio_temporal_features.h>
 

@@ -8,11 +8,11 @@
 
 #include "test_shapes.h"
 
-#include <CGAL/Animated_mesh_features/Box_temporal_filter.h>
-#include <CGAL/Animated_mesh_features/Gaussian_temporal_filter.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Box_temporal_filter.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Gaussian_temporal_filter.h>
 #include <CGAL/Animated_mesh_features/IO/read_mesh.h>
-#include <CGAL/Animated_mesh_features/One_ring_average_filter.h>
-#include <CGAL/Animated_mesh_features/Scale_sampling.h>
+#include <CGAL/Animated_mesh_features/Scale_space/One_ring_average_filter.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Scale_sampling.h>
 
 #include <fstream>
 #include <limits>
@@ -27,7 +27,7 @@ using namespace test_support;
 typedef Amf::Rest_shape Rest_shape;
 typedef Amf::Scale_levels Scale_levels;
 
-const double clock_tick = 1. / 30; // seconds between frames
+const double frame_duration = 1. / 30; // seconds between frames
 
 // A spatial filter as far as samplings look at it.
 struct Filter_of_limit
@@ -56,7 +56,7 @@ Scale_levels published_levels(const Rest_shape& shape, std::size_t frames, std::
 {
   Amf::Every_smoothing_count sampling;
   sampling.box_width = width;
-  return sampling(shape, frames, clock_tick, Amf::One_ring_average_filter(false), Amf::Box_temporal_filter(width));
+  return sampling(shape, frames, frame_duration, Amf::One_ring_average_filter(false), Amf::Box_temporal_filter(width));
 }
 
 void test_counts_of_table_1()
@@ -73,8 +73,8 @@ void test_counts_of_table_1()
     CHECK(levels.time_variances.front() == 0);
     // the counts of the filter are those of the levels
     Amf::Box_temporal_filter filter(row.width);
-    filter.initialize(row.frames, clock_tick, levels.time_variances);
-    const double unit = filter.unit_variance(row.frames, clock_tick);
+    filter.initialize(row.frames, frame_duration, levels.time_variances);
+    const double unit = filter.unit_variance(row.frames, frame_duration);
     for (std::size_t l = 0; l <= row.count; ++l)
       if (!(std::abs(filter.variance(l) - double(l) * unit) <= 1e-12 * double(l) * unit)) CHECK(!"l passes at level l");
   }
@@ -82,15 +82,15 @@ void test_counts_of_table_1()
   CHECK(published_levels(shape, 40, 5).time_variances.size() == 96 + 1);
   // a width that is not told is that of the filter's variance; odd boxes have their own
   Amf::Every_smoothing_count untold;
-  CHECK(untold(shape, 40, clock_tick, Amf::One_ring_average_filter(false), Amf::Box_temporal_filter(5))
+  CHECK(untold(shape, 40, frame_duration, Amf::One_ring_average_filter(false), Amf::Box_temporal_filter(5))
             .time_variances.size() == 96 + 1);
-  CHECK(untold(shape, 40, clock_tick, Amf::One_ring_average_filter(false), Amf::Gaussian_temporal_filter())
+  CHECK(untold(shape, 40, frame_duration, Amf::One_ring_average_filter(false), Amf::Gaussian_temporal_filter())
             .time_variances.size() == 266 + 1); // three frames: floor(6 * 400 / 9)
   // own numbers
   untold.max_space_count = 5;
   untold.max_time_count = 7;
   const Scale_levels few =
-      untold(shape, 40, clock_tick, Amf::One_ring_average_filter(false), Amf::Box_temporal_filter(5));
+      untold(shape, 40, frame_duration, Amf::One_ring_average_filter(false), Amf::Box_temporal_filter(5));
   CHECK(few.space_variances.size() == 6 && few.time_variances.size() == 8);
 }
 
@@ -124,9 +124,9 @@ void test_names_of_scales()
   Amf::Every_smoothing_count sampling;
   sampling.box_width = width;
   Amf::One_ring_average_filter spatial(false);
-  const Scale_levels levels = sampling(shape, 48, clock_tick, spatial, Amf::Box_temporal_filter(width));
+  const Scale_levels levels = sampling(shape, 48, frame_duration, spatial, Amf::Box_temporal_filter(width));
   CHECK_NEAR(levels.unit_length, h / 3.48, 1e-12);
-  CHECK(levels.unit_time == clock_tick);
+  CHECK(levels.unit_time == frame_duration);
   for (std::size_t k = 0; k < levels.space_variances.size(); ++k) {
     CHECK_NEAR(levels.space_variances[k], double(k) * spatial.unit_variance(shape), 1e-15);
     // Eq. (7), with the edge in the unit of which it has 3.48
@@ -135,11 +135,11 @@ void test_names_of_scales()
   }
   CHECK_NEAR(levels.sigma_factor, 0.42, 0.005); // of the true standard deviation
   for (std::size_t l = 0; l < levels.time_variances.size(); ++l)
-    CHECK_NEAR(levels.tau_factor * std::sqrt(levels.time_variances[l]) / clock_tick,
+    CHECK_NEAR(levels.tau_factor * std::sqrt(levels.time_variances[l]) / frame_duration,
                std::sqrt(double(l) * (double(width * width) - 1) / 12), 1e-12);
   // in another unit of length the same names, which the paper's formula as it stands would not give
   const Rest_shape larger = rest_shape_of(regular_plane(100, 100, 1000 * h));
-  const Scale_levels other = sampling(larger, 48, clock_tick, spatial, Amf::Box_temporal_filter(width));
+  const Scale_levels other = sampling(larger, 48, frame_duration, spatial, Amf::Box_temporal_filter(width));
   CHECK(other.space_variances.size() == levels.space_variances.size());
   CHECK_NEAR(other.sigma_factor, levels.sigma_factor, 1e-12);
   CHECK_NEAR(other.unit_length, 1000 * levels.unit_length, 1e-9);
@@ -171,18 +171,18 @@ void test_fixed_ratio()
   sampling.tau = {0.1, 0.5};
   sampling.sigma_ratio = std::sqrt(2.);
   sampling.tau_ratio = 2;
-  Scale_levels levels = sampling(shape, 48, clock_tick, fine, temporal);
+  Scale_levels levels = sampling(shape, 48, frame_duration, fine, temporal);
   check_levels(levels.space_variances, sampling.sigma, std::sqrt(2.), 0, 6);
   check_levels(levels.time_variances, sampling.tau, 2, 0, 2); // log2(5) = 2.3
   CHECK(levels.sigma_factor == 1 && levels.tau_factor == 1);
   CHECK_NEAR(levels.unit_length, std::sqrt(32.), 1e-13);
   CHECK_NEAR(levels.unit_time, std::sqrt(0.05), 1e-14);
   // the same levels however the motion is sampled
-  const Scale_levels twin = sampling(shape, 24, 2 * clock_tick, fine, temporal);
+  const Scale_levels twin = sampling(shape, 24, 2 * frame_duration, fine, temporal);
   CHECK(twin.time_variances == levels.time_variances && twin.space_variances == levels.space_variances);
   // a range of a single level
   sampling.sigma = {3, 3};
-  check_levels(sampling(shape, 48, clock_tick, fine, temporal).space_variances, {3, 3}, std::sqrt(2.), 0, 0);
+  check_levels(sampling(shape, 48, frame_duration, fine, temporal).space_variances, {3, 3}, std::sqrt(2.), 0, 0);
 }
 
 void test_default_ranges()
@@ -193,24 +193,24 @@ void test_default_ranges()
   const Filter_of_limit fine = {1e-12};
   const Amf::Gaussian_temporal_filter temporal;
   const Amf::Fixed_ratio_sampling sampling;
-  const Scale_levels levels = sampling(shape, 48, clock_tick, fine, temporal);
+  const Scale_levels levels = sampling(shape, 48, frame_duration, fine, temporal);
   const double size = shape.diameter();
-  const Amf::Scale_range sigma = {0.014 * size, 0.175 * size}, tau = {clock_tick, 8 * clock_tick};
+  const Amf::Scale_range sigma = {0.014 * size, 0.175 * size}, tau = {frame_duration, 8 * frame_duration};
   check_levels(levels.space_variances, sigma, sampling.sigma_ratio, 0,
                std::lround(std::log(sigma.max / sigma.min) / std::log(sampling.sigma_ratio)));
   check_levels(levels.time_variances, tau, sampling.tau_ratio, 0,
                std::lround(std::log(8) / std::log(sampling.tau_ratio)));
   // fewer frames than six have a single level, of one frame
-  check_levels(sampling(shape, 3, clock_tick, fine, temporal).time_variances, tau, sampling.tau_ratio, 0, 0);
+  check_levels(sampling(shape, 3, frame_duration, fine, temporal).time_variances, tau, sampling.tau_ratio, 0, 0);
   // one bound of one's own
   Amf::Fixed_ratio_sampling upper;
   upper.sigma.max = 2 * sigma.min;
-  check_levels(upper(shape, 48, clock_tick, fine, temporal).space_variances, sigma, upper.sigma_ratio, 0,
+  check_levels(upper(shape, 48, frame_duration, fine, temporal).space_variances, sigma, upper.sigma_ratio, 0,
                std::lround(std::log(2) / std::log(upper.sigma_ratio)));
   // the unit of length does not show
   Shape small = s;
   small.points = mapped(s.points, [](const Vec& p) { return Vec(p / 1024); });
-  const Scale_levels other = sampling(rest_shape_of(small), 48, clock_tick, fine, temporal);
+  const Scale_levels other = sampling(rest_shape_of(small), 48, frame_duration, fine, temporal);
   CHECK(other.space_variances.size() == levels.space_variances.size());
   CHECK_NEAR(other.space_variances.back() * 1024 * 1024 / levels.space_variances.back(), 1, 1e-12);
 }
@@ -222,11 +222,11 @@ void test_resolution_of_the_mesh()
   Amf::Fixed_ratio_sampling sampling;
   sampling.sigma = {1, 32};
   sampling.tau = {0.1, 0.5};
-  const Scale_levels all = sampling(shape, 48, clock_tick, Filter_of_limit{1e-9}, temporal);
+  const Scale_levels all = sampling(shape, 48, frame_duration, Filter_of_limit{1e-9}, temporal);
   const long last = std::lround(std::log(32) / std::log(sampling.sigma_ratio));
   check_levels(all.space_variances, sampling.sigma, sampling.sigma_ratio, 0, last);
   for (const double smallest : {0.26, 0.5, 0.99, 3., 17.}) {
-    const Scale_levels some = sampling(shape, 48, clock_tick, Filter_of_limit{smallest}, temporal);
+    const Scale_levels some = sampling(shape, 48, frame_duration, Filter_of_limit{smallest}, temporal);
     const std::size_t cut = all.space_variances.size() - some.space_variances.size();
     CHECK(cut > 0 && cut < all.space_variances.size());
     // those that remain stay where they were, to the last bit, and none that would do is left out
@@ -238,9 +238,9 @@ void test_resolution_of_the_mesh()
     CHECK(some.time_variances == all.time_variances);
   }
   // exactly at the limit nothing is cut
-  const Scale_levels at = sampling(shape, 48, clock_tick, Filter_of_limit{all.space_variances.front()}, temporal);
+  const Scale_levels at = sampling(shape, 48, frame_duration, Filter_of_limit{all.space_variances.front()}, temporal);
   CHECK(at.space_variances == all.space_variances);
-  CHECK_THROWS(Amf::Option_error, sampling(shape, 48, clock_tick, Filter_of_limit{1000}, temporal), "edge length");
+  CHECK_THROWS(Amf::Option_error, sampling(shape, 48, frame_duration, Filter_of_limit{1000}, temporal), "edge length");
 }
 
 void test_errors()
@@ -248,7 +248,7 @@ void test_errors()
   const Rest_shape shape = two_triangles(100);
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
   const auto levels = [&](const Amf::Fixed_ratio_sampling& sampling) {
-    return sampling(shape, 48, clock_tick, Filter_of_limit{1e-9}, Amf::Gaussian_temporal_filter());
+    return sampling(shape, 48, frame_duration, Filter_of_limit{1e-9}, Amf::Gaussian_temporal_filter());
   };
   for (const Amf::Scale_range& range :
        {Amf::Scale_range{5, 4}, Amf::Scale_range{-1, 4}, Amf::Scale_range{1, -4}, Amf::Scale_range{nan, 4},

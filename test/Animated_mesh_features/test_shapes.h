@@ -9,7 +9,7 @@
 
 #include "test_support.h"
 
-#include <CGAL/Animated_mesh_features/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 

@@ -9,12 +9,12 @@
 
 #include "test_shapes.h"
 
-#include <CGAL/Animated_mesh_features/internal/Heat_step.h>
-#include <CGAL/Animated_mesh_features/internal/Nested_dissection.h>
-#include <CGAL/Animated_mesh_features/internal/Solve_kernel.h>
-#include <CGAL/Animated_mesh_features/internal/Supernodal_factor.h>
-#include <CGAL/Animated_mesh_features/internal/minimum_degree_order.h>
-#include <CGAL/Animated_mesh_features/internal/run_vectorized.h>
+#include <CGAL/Animated_mesh_features/Scale_space/internal/Heat_step.h>
+#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/Nested_dissection.h>
+#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/Triangular_solve.h>
+#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/Cholesky_factor.h>
+#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/minimum_degree_order.h>
+#include <CGAL/Animated_mesh_features/Numerics/simd/run_vectorized.h>
 
 #include <Eigen/Dense>
 
@@ -74,17 +74,17 @@ std::vector<Ai::Instruction_set> instruction_sets()
 }
 
 template <class T>
-Eigen::MatrixXd solved(const Ai::Supernodes& supernodes, const Ai::Supernodal_factor<T>& factor,
+Eigen::MatrixXd solved(const Ai::Symbolic_factorization& symbolic, const Ai::Cholesky_factor<T>& factor,
                        const Eigen::MatrixXd& b, std::size_t lines, Ai::Instruction_set instructions)
 {
-  const std::size_t n = supernodes.number_of_columns(), lanes = Ai::Solve_kernel<T>::lanes;
+  const std::size_t n = symbolic.number_of_columns(), lanes = Ai::Triangular_solve<T>::lanes;
   Ai::Aligned_vector<T> x((n + 1) * lanes * lines, T(0));
   const auto at = [&](std::size_t i, std::size_t c) -> T& {
-    return x[(c / lanes * (n + 1) + supernodes.position()[i]) * lanes + c % lanes];
+    return x[(c / lanes * (n + 1) + symbolic.position()[i]) * lanes + c % lanes];
   };
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t c = 0; c < lanes * lines; ++c) at(i, c) = T(b(Eigen::Index(i), Eigen::Index(c) % b.cols()));
-  Ai::Solve_kernel<T> kernel{&supernodes, factor.values(), x.data(), lines};
+  Ai::Triangular_solve<T> kernel{&symbolic, factor.values(), x.data(), lines};
   Ai::run_reproducibly<T>(instructions, kernel);
   Eigen::MatrixXd result(b.rows(), b.cols());
   for (Eigen::Index i = 0; i < b.rows(); ++i)
@@ -105,16 +105,16 @@ void test_order(const std::string& name, const Graph& graph, const Amf::Compress
 {
   const std::size_t n = graph.size();
   CHECK(order.size() == n && is_permutation_of_all(order));
-  const Ai::Supernodes supernodes(rows, order);
+  const Ai::Symbolic_factorization symbolic(rows, order);
   // every column once, in panels of bounded width; rows below them, ascending
-  CHECK(supernodes.number_of_columns() == n);
+  CHECK(symbolic.number_of_columns() == n);
   std::size_t next = 0, widest = 0;
   bool is_sound = true;
-  for (const auto& p : supernodes.panels()) {
-    is_sound = is_sound && p.first == next && p.width > 0 && p.width <= Ai::Supernodes::widest;
+  for (const auto& p : symbolic.panels()) {
+    is_sound = is_sound && p.first == next && p.width > 0 && p.width <= Ai::Symbolic_factorization::widest;
     next += p.width;
     widest = (std::max)(widest, std::size_t(p.width));
-    const auto* below = supernodes.rows(p);
+    const auto* below = symbolic.rows(p);
     for (std::size_t i = 0; i < p.height; ++i)
       is_sound = is_sound && below[i] >= (i > 0 ? below[i - 1] + 1 : next) && below[i] < n;
   }
@@ -130,11 +130,11 @@ void test_order(const std::string& name, const Graph& graph, const Amf::Compress
   Eigen::MatrixXd first, first_single;
   double error = 0, single_error = 0;
   for (Ai::Instruction_set instructions : instruction_sets()) {
-    const Ai::Supernodal_factor<double> factor(supernodes, rows, diagonal, entry, instructions);
-    const Ai::Supernodal_factor<float> single(supernodes, rows, diagonal, entry, instructions);
+    const Ai::Cholesky_factor<double> factor(symbolic, rows, diagonal, entry, instructions);
+    const Ai::Cholesky_factor<float> single(symbolic, rows, diagonal, entry, instructions);
     for (std::size_t lines : {1, 2, 3}) {
-      const Eigen::MatrixXd x = solved(supernodes, factor, b, lines, instructions);
-      const Eigen::MatrixXd y = solved(supernodes, single, b, lines, instructions);
+      const Eigen::MatrixXd x = solved(symbolic, factor, b, lines, instructions);
+      const Eigen::MatrixXd y = solved(symbolic, single, b, lines, instructions);
       if (first.size() == 0) {
         first = x;
         first_single = y;
@@ -147,7 +147,7 @@ void test_order(const std::string& name, const Graph& graph, const Amf::Compress
   CHECK(error < 1e-16);
   CHECK(single_error < 1e-7);
   CHECK(single_error > 0 || n < 3);
-  std::cout << name << ": " << n << " columns, " << supernodes.panels().size() << " panels up to " << widest
+  std::cout << name << ": " << n << " columns, " << symbolic.panels().size() << " panels up to " << widest
             << " wide; error / condition " << error << ", in float " << single_error << std::endl;
 }
 
@@ -201,10 +201,10 @@ void test_indefinite()
   join(graph, 0, 1);
   join(graph, 1, 2);
   const Amf::Compressed_rows rows = rows_of(graph);
-  const Ai::Supernodes supernodes(rows, {0, 1, 2});
+  const Ai::Symbolic_factorization symbolic(rows, {0, 1, 2});
   const auto factor = [&](double d) {
-    return Ai::Supernodal_factor<double>(
-        supernodes, rows, [&](std::size_t) { return d; }, [](std::size_t, std::size_t) { return 1.; },
+    return Ai::Cholesky_factor<double>(
+        symbolic, rows, [&](std::size_t) { return d; }, [](std::size_t, std::size_t) { return 1.; },
         Ai::Instruction_set::BASELINE);
   };
   factor(1.5); // the smallest eigenvalue is d - sqrt(2)
@@ -228,9 +228,9 @@ void test_fill()
     }
     const Amf::Compressed_rows rows = rows_of(graph);
     const std::vector<std::uint32_t> order = Ai::Nested_dissection(rows, points, 20).order();
-    const double entries = double(Ai::Supernodes(rows, order).number_of_values()) / double(n);
+    const double entries = double(Ai::Symbolic_factorization(rows, order).number_of_values()) / double(n);
     const double by_degree =
-        double(Ai::Supernodes(rows, Ai::minimum_degree_order(rows)).number_of_values()) / double(n);
+        double(Ai::Symbolic_factorization(rows, Ai::minimum_degree_order(rows)).number_of_values()) / double(n);
     std::cout << "square of " << n << ": " << entries << " entries a column, minimum degree " << by_degree << std::endl;
     CHECK(entries < 31. / 4 * std::log2(double(n)) && entries < 1.05 * by_degree);
     // the separator of the first cut, one line, comes last

@@ -8,8 +8,8 @@
 
 #include "test_shapes.h"
 
-#include <CGAL/Animated_mesh_features/Frame_sequence.h>
-#include <CGAL/Animated_mesh_features/strain.h>
+#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Deformation/strain.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -379,7 +379,7 @@ void test_instructions(double difference_of_arrays)
   const Mesh mesh = mesh_of(w.rest);
   const auto sequence = sequence_of<FT>(mesh, w.rest.points, w.frames);
   Amf::Default_visitor visitor;
-  const Ai::Task_loop<CGAL::Sequential_tag, Amf::Default_visitor> loop(visitor, Amf::Stage::STRAIN);
+  const Amf::Task_loop<CGAL::Sequential_tag, Amf::Default_visitor> loop(visitor, Amf::Stage::STRAIN);
   const auto strains = [&](const auto& measure, Ai::Instruction_set instructions) {
     return Ai::triangle_strain_rows(sequence.flat_animation(), measure, loop, instructions);
   };

@@ -7,7 +7,7 @@
 #ifndef ANIMATED_MESH_GENERATORS_GENERATED_ANIMATION_H
 #define ANIMATED_MESH_GENERATORS_GENERATED_ANIMATION_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_CLIP_SAMPLING_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_CLIP_SAMPLING_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/Keyframed_model.h>
 
 #include <algorithm>

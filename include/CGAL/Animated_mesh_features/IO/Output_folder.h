@@ -8,7 +8,7 @@
 #define CGAL_ANIMATED_MESH_FEATURES_IO_OUTPUT_FOLDER_H
 
 #include <CGAL/Animated_mesh_features/IO/Output_file.h>
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <cstdint>
 #include <filesystem>

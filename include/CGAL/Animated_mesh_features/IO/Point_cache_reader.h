@@ -7,8 +7,8 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_POINT_CACHE_READER_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_POINT_CACHE_READER_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
-#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Field_filler.h>
 #include <CGAL/Animated_mesh_features/IO/internal/bytes.h>
 #include <CGAL/Animated_mesh_features/IO/internal/file_content.h>
@@ -25,6 +25,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -121,10 +122,11 @@ public:
   \tparam ConcurrencyTag `CGAL::Parallel_if_available_tag` or `CGAL::Sequential_tag`; the result is the same.
   */
   template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class FT>
-  void read_fields(Spatio_temporal_field<FT>& x, Spatio_temporal_field<FT>& y, Spatio_temporal_field<FT>& z)
+  void read_fields(Spatio_temporal_field<FT>& x, Spatio_temporal_field<FT>& y, Spatio_temporal_field<FT>& z,
+                   const std::shared_ptr<Field_memory>& memory = Field_memory::heap())
   {
     const std::array<Spatio_temporal_field<FT>*, 3> fields = {{&x, &y, &z}};
-    internal::resize_fields(m_points, m_frames, fields);
+    internal::resize_fields(m_points, m_frames, fields, memory);
     const internal::Frames_in_file frames = {m_file.get(), m_header_size, m_points, m_frames, m_order};
     if (internal::read_frame_pieces<ConcurrencyTag>(frames, fields)) return;
     internal::Field_filler<FT, ConcurrencyTag> filler(fields);

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_CHECK_SAME_CONNECTIVITY_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_CHECK_SAME_CONNECTIVITY_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_FRAME_FILES_IN_FOLDER_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_FRAME_FILES_IN_FOLDER_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/internal/file_endings.h>
 #include <CGAL/Animated_mesh_features/IO/natural_order.h>
 

@@ -7,11 +7,12 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_READ_ANIMATION_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_READ_ANIMATION_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
-#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
-#include <CGAL/Animated_mesh_features/internal/Thread_local.h>
-#include <CGAL/Animated_mesh_features/internal/parallel_for.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Thread_local.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
+#include <CGAL/Animated_mesh_features/IO/Memory_chooser.h>
 #include <CGAL/Animated_mesh_features/IO/Point_cache_reader.h>
 #include <CGAL/Animated_mesh_features/IO/Vertex_origins.h>
 #include <CGAL/Animated_mesh_features/IO/check_same_connectivity.h>
@@ -28,7 +29,6 @@
 #include <cstddef>
 #include <exception>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 #include <system_error>
@@ -83,19 +83,11 @@ struct Animation_file_data
   }
 };
 
-/*!
-\ingroup PkgAnimatedMeshFeaturesReading
-
-Is told the numbers of vertices and frames of an animation once they are known, before memory for them is taken. It may
-choose that memory (`Field_memory_scope`), or throw.
-*/
-typedef std::function<void(std::size_t, std::size_t)> Size_observer;
-
 namespace internal {
 
 template <class ConcurrencyTag, class FT>
 void read_point_cache(const std::string& mesh_file, const std::string& cache_file, const Mesh_reading_options& options,
-                      const Size_observer& observe_size, Animation_file_data<FT>& data)
+                      const Memory_chooser& choose_memory, Animation_file_data<FT>& data)
 {
   data.sources = {mesh_file, cache_file};
   data.mesh = IO::read_mesh(mesh_file, options);
@@ -103,8 +95,8 @@ void read_point_cache(const std::string& mesh_file, const std::string& cache_fil
   cache.check_number_of_points(data.mesh.points.size(), mesh_file);
   data.frames = cache.number_of_frames();
   data.times = cache.times();
-  if (observe_size) observe_size(data.mesh.points.size(), data.frames);
-  cache.read_fields<ConcurrencyTag>(data.x, data.y, data.z);
+  cache.read_fields<ConcurrencyTag>(data.x, data.y, data.z,
+                                    chosen_memory(choose_memory, data.mesh.points.size(), data.frames));
 }
 
 // What reading one file takes: a thread has its own.
@@ -116,7 +108,7 @@ struct Mesh_reading_memory
 
 template <class ConcurrencyTag, class FT>
 void read_frame_files(const std::vector<std::string>& files, const Mesh_reading_options& options,
-                      const Size_observer& observe_size, Animation_file_data<FT>& data)
+                      const Memory_chooser& choose_memory, Animation_file_data<FT>& data)
 {
   data.sources = files;
   data.frames = files.size();
@@ -125,9 +117,9 @@ void read_frame_files(const std::vector<std::string>& files, const Mesh_reading_
     return memories.get([] { return std::make_unique<Mesh_reading_memory>(); });
   };
   read_mesh(files[0], options, memory().content, data.mesh);
-  if (observe_size) observe_size(data.mesh.points.size(), data.frames);
   const std::array<Spatio_temporal_field<FT>*, 3> fields = {{&data.x, &data.y, &data.z}};
-  resize_fields(data.mesh.points.size(), data.frames, fields);
+  resize_fields(data.mesh.points.size(), data.frames, fields,
+                chosen_memory(choose_memory, data.mesh.points.size(), data.frames));
   Field_filler<FT, ConcurrencyTag> filler(fields);
   filler.put(0, data.mesh.points[0].data(), files[0]);
 
@@ -135,7 +127,7 @@ void read_frame_files(const std::vector<std::string>& files, const Mesh_reading_
     last = filler.end_of_batch();
     // Of several errors, the first frame's is told, whichever thread is faster.
     std::vector<std::exception_ptr> errors(last - first);
-    Animated_mesh_features::internal::parallel_for<ConcurrencyTag>(first, last, [&](std::size_t f) {
+    parallel_for<ConcurrencyTag>(first, last, [&](std::size_t f) {
       try {
         Mesh_reading_memory& m = memory();
         if (!read_mesh(files[f], options, m.content, m.mesh, &data.mesh) ||
@@ -175,7 +167,7 @@ a file for each thread, a point cache some 0.4 MB a thread (see `Point_cache_rea
 
 \param inputs the files, or the folder.
 \param options how mesh files are read.
-\param observe_size see `Size_observer`.
+\param choose_memory see `Memory_chooser`.
 \throws Input_error if a file is missing or malformed (see `read_mesh()`, `Point_cache_reader`), the frames differ in
 connectivity (the message names the first such triangle) or there are less than two of them, or the inputs are none of
 the above.
@@ -183,7 +175,7 @@ the above.
 template <class FT, class ConcurrencyTag = CGAL::Parallel_if_available_tag>
 Animation_file_data<FT> read_animation(const std::vector<std::string>& inputs,
                                        Mesh_reading_options options = Mesh_reading_options(),
-                                       const Size_observer& observe_size = Size_observer())
+                                       const Memory_chooser& choose_memory = Memory_chooser())
 {
   if (inputs.empty()) throw Input_error("no input: give a mesh and a point cache, a folder, or a mesh for each frame");
   std::vector<std::string> caches, meshes, folders;
@@ -205,13 +197,13 @@ Animation_file_data<FT> read_animation(const std::vector<std::string>& inputs,
     if (meshes.empty())
       throw Input_error(caches[0] + ": a point cache holds positions only; give the mesh file that belongs to it too");
     if (meshes.size() > 1) throw Input_error(meshes[1] + ": a second mesh; give one mesh and one point cache");
-    internal::read_point_cache<ConcurrencyTag>(meshes[0], caches[0], options, observe_size, data);
+    internal::read_point_cache<ConcurrencyTag>(meshes[0], caches[0], options, choose_memory, data);
   } else {
     if (meshes.size() == 1)
       throw Input_error(meshes[0] +
                         ": one mesh is no animation; give the point cache that belongs to it, or more frames");
     std::sort(meshes.begin(), meshes.end(), [](const auto& a, const auto& b) { return natural_order(a, b); });
-    internal::read_frame_files<ConcurrencyTag>(meshes, options, observe_size, data);
+    internal::read_frame_files<ConcurrencyTag>(meshes, options, choose_memory, data);
   }
   if (data.frames < 2) throw Input_error(data.sources.back() + ": one frame is no animation");
   return data;

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_READ_ASSIMP_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_READ_ASSIMP_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/Keyframed_model.h>
 #include <CGAL/Animated_mesh_features/IO/internal/skin_influences.h>
 

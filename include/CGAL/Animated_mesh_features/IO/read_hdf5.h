@@ -7,8 +7,9 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_READ_HDF5_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_READ_HDF5_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/Clip_sampling.h>
+#include <CGAL/Animated_mesh_features/IO/Memory_chooser.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Field_filler.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Hdf5_file.h>
 #include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
@@ -119,7 +120,7 @@ positions, `N x 3 x F`, and one of triangles for all of them, `T x 3`, counted f
 \param sequence the name of the dataset of positions, or its number among all three-dimensional ones in alphabetical
   order; empty: the first one
 \param faces the name of the dataset of triangles
-\param observe_size see `Size_observer`
+\param choose_memory see `Memory_chooser`
 
 Whoever includes this header links with HDF5's C library. Linear in the size of the dataset; memory, besides the result,
 for 8 million numbers or a frame or vertex.
@@ -130,7 +131,7 @@ for 8 million numbers or a frame or vertex.
 template <class FT>
 Animation_file_data<FT> read_hdf5(const std::string& file, const std::string& sequence = std::string(),
                                   const std::string& faces = "faces",
-                                  const Size_observer& observe_size = Size_observer())
+                                  const Memory_chooser& choose_memory = Memory_chooser())
 {
   const internal::Hdf5_file hdf5(file);
   Animation_file_data<FT> data;
@@ -148,9 +149,8 @@ Animation_file_data<FT> read_hdf5(const std::string& file, const std::string& se
   data.frames = s.frames;
   if (s.frames < 2) throw Input_error(file + ": dataset " + s.name + " has one frame, which is no animation");
 
-  if (observe_size) observe_size(s.vertices, s.frames);
   const std::array<Spatio_temporal_field<FT>*, 3> fields = {{&data.x, &data.y, &data.z}};
-  internal::resize_fields(s.vertices, s.frames, fields);
+  internal::resize_fields(s.vertices, s.frames, fields, internal::chosen_memory(choose_memory, s.vertices, s.frames));
   internal::read_hdf5_fields(hdf5, s, file, fields);
   for (std::size_t v = 0; v < s.vertices; ++v)
     data.mesh.points.push_back({{double(data.x(v, 0)), double(data.y(v, 0)), double(data.z(v, 0))}});

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_READ_MESH_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_READ_MESH_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
 #include <CGAL/Animated_mesh_features/IO/Mesh_reading_options.h>
 #include <CGAL/Animated_mesh_features/IO/internal/file_content.h>

@@ -7,8 +7,9 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_SAMPLE_CLIP_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_SAMPLE_CLIP_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/Clip_sampling.h>
+#include <CGAL/Animated_mesh_features/IO/Memory_chooser.h>
 #include <CGAL/Animated_mesh_features/IO/Coincident_vertices.h>
 #include <CGAL/Animated_mesh_features/IO/Keyframed_model.h>
 #include <CGAL/Animated_mesh_features/IO/Keyframed_model_evaluator.h>
@@ -17,8 +18,8 @@
 #include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
 #include <CGAL/Animated_mesh_features/IO/weld_surface.h>
-#include <CGAL/Animated_mesh_features/internal/Thread_local.h>
-#include <CGAL/Animated_mesh_features/internal/parallel_for.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Thread_local.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
 
 #include <CGAL/tags.h>
 
@@ -92,21 +93,21 @@ inline void check_finite(const Keyframed_model_evaluator::Points& points, const 
 makes the frames of a clip of an animated model, with vertices welded that the format split: see `Clip_sampling`,
 `Coincident_vertices` and `weld_surface()`. Times are from 0 at the clip's first key.
 
-The clip is evaluated twice, so that nothing of the size of the animation is in memory before `observe_size` is told the
+The clip is evaluated twice, so that nothing of the size of the animation is in memory before `choose_memory` is told the
 size; `O(F (N + nodes + keys))`.
 
 \tparam FT, ConcurrencyTag as for `read_animation()`
 \param model what the file holds
 \param sampling which clip, and when
 \param file the name for messages
-\param observe_size see `Size_observer`
+\param choose_memory see `Memory_chooser`
 \throws Option_error see `find_clip()` and `frame_times()`
 \throws Input_error see `Keyframed_model_evaluator`, `find_clip()`, `frame_times()`; a position is not
 finite; there are no triangles.
 */
 template <class FT, class ConcurrencyTag = CGAL::Parallel_if_available_tag>
 Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sampling& sampling,
-                                    const std::string& file, const Size_observer& observe_size = Size_observer())
+                                    const std::string& file, const Memory_chooser& choose_memory = Memory_chooser())
 {
   typedef Keyframed_model_evaluator::Points Points;
 
@@ -151,9 +152,8 @@ Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sam
   for (std::size_t v = 0; v < n; ++v) source[v] = data.origins.file_vertices[data.origins.first[v]];
   for (std::size_t v : source) data.mesh.points.push_back(first_points[v]);
 
-  if (observe_size) observe_size(n, data.frames);
   const std::array<Spatio_temporal_field<FT>*, 3> fields = {{&data.x, &data.y, &data.z}};
-  internal::resize_fields(n, data.frames, fields);
+  internal::resize_fields(n, data.frames, fields, internal::chosen_memory(choose_memory, n, data.frames));
   internal::Field_filler<FT, ConcurrencyTag> filler(fields);
   struct Frame_memory
   {
@@ -162,7 +162,7 @@ Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sam
   Animated_mesh_features::internal::Thread_local<Frame_memory> memories;
   for (std::size_t first = 0, last; first < data.frames; first = last) {
     last = filler.end_of_batch();
-    Animated_mesh_features::internal::parallel_for<ConcurrencyTag>(first, last, [&](std::size_t f) {
+    parallel_for<ConcurrencyTag>(first, last, [&](std::size_t f) {
       Frame_memory& m = memories.get([] { return std::make_unique<Frame_memory>(); });
       evaluate(times[f], m.points);
       m.welded.resize(n);

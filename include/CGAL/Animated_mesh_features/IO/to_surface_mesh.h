@@ -7,7 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_TO_SURFACE_MESH_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_TO_SURFACE_MESH_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Corner_adjacency.h>
 #include <CGAL/Animated_mesh_features/IO/internal/check_manifold.h>

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_WRITE_NPY_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_WRITE_NPY_H
 
-#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/IO/internal/bytes.h>
 
 #include <cstddef>

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_WRITE_PLY_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_WRITE_PLY_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Text_output.h>
 #include <CGAL/Animated_mesh_features/IO/internal/bytes.h>
 

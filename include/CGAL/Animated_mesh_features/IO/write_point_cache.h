@@ -7,7 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_WRITE_POINT_CACHE_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_WRITE_POINT_CACHE_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/internal/bytes.h>
 
 #include <cstddef>

@@ -7,15 +7,16 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_FIELD_FILLER_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_FIELD_FILLER_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
-#include <CGAL/Animated_mesh_features/internal/Frame_batch.h>
-#include <CGAL/Animated_mesh_features/internal/all_finite.h>
-#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+#include <CGAL/Animated_mesh_features/Animation/Frame_batch.h>
+#include <CGAL/Animated_mesh_features/Numerics/all_finite.h>
+#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <string>
 
 namespace CGAL {
@@ -25,17 +26,17 @@ namespace internal {
 
 template <class FT>
 void resize_fields(std::size_t number_of_vertices, std::size_t number_of_frames,
-                   const std::array<Spatio_temporal_field<FT>*, 3>& fields)
+                   const std::array<Spatio_temporal_field<FT>*, 3>& fields, const std::shared_ptr<Field_memory>& memory)
 {
   for (Spatio_temporal_field<FT>* field : fields)
-    *field = Spatio_temporal_field<FT>(number_of_vertices, number_of_frames);
+    *field = Spatio_temporal_field<FT>(number_of_vertices, number_of_frames, memory);
 }
 
 // Fills fields from frames in files: a frame is checked as it comes.
 template <class FT, class ConcurrencyTag>
 class Field_filler
 {
-  typedef Animated_mesh_features::internal::Frame_batch<FT, ConcurrencyTag> Batch;
+  typedef Frame_batch<FT, ConcurrencyTag> Batch;
 
 public:
   // What is in memory beside the fields, and how many frames of a batch can be read at the same time.

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_GLTF_CHECK_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_GLTF_CHECK_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <cstddef>
 #include <string>

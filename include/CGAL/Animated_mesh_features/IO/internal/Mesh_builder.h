@@ -7,7 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_MESH_BUILDER_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_MESH_BUILDER_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
 #include <CGAL/Animated_mesh_features/IO/Mesh_reading_options.h>
 #include <CGAL/Animated_mesh_features/IO/internal/numbers.h>

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_CHECK_MANIFOLD_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_CHECK_MANIFOLD_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
 
 #include <boost/pending/disjoint_sets.hpp>

@@ -7,7 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_PARSE_GLTF_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_PARSE_GLTF_H
 
-#include <CGAL/Animated_mesh_features/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/internal/file_content.h>
 
 #include <tiny_gltf.h>

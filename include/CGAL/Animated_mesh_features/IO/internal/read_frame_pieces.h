@@ -7,13 +7,13 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_READ_FRAME_PIECES_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_READ_FRAME_PIECES_H
 
-#include <CGAL/Animated_mesh_features/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/IO/internal/bytes.h>
 #include <CGAL/Animated_mesh_features/IO/internal/file_content.h>
-#include <CGAL/Animated_mesh_features/internal/Thread_local.h>
-#include <CGAL/Animated_mesh_features/internal/all_finite.h>
-#include <CGAL/Animated_mesh_features/internal/parallel_for.h>
-#include <CGAL/Animated_mesh_features/internal/transpose_frames.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Thread_local.h>
+#include <CGAL/Animated_mesh_features/Numerics/all_finite.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
+#include <CGAL/Animated_mesh_features/Animation/transpose_frames.h>
 
 #include <algorithm>
 #include <array>
@@ -61,7 +61,7 @@ bool read_frame_pieces(const Frames_in_file& in, const std::array<Spatio_tempora
   std::atomic<bool> good(true);
   for (std::size_t first = 0; first < in.frames && good; first += frames_at_once) {
     const std::size_t frames = (std::min)(frames_at_once, in.frames - first);
-    Animated_mesh_features::internal::parallel_for<ConcurrencyTag>(0, runs, [&](std::size_t i) {
+    parallel_for<ConcurrencyTag>(0, runs, [&](std::size_t i) {
       Buffer& xyz = buffers.get([] { return std::make_unique<Buffer>(3 * vertices_at_once * frames_at_once); });
       const std::size_t v = i * vertices_at_once, n = (std::min)(vertices_at_once, in.points - v);
       for (std::size_t f = 0; f < frames; ++f)

@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "output/Scene_files.h"
+
+#include "output/Html_file.h"
+
+#include <CGAL/Animated_mesh_features/IO/Output_file.h>
+#include <CGAL/Animated_mesh_features/IO/Output_folder.h>
+#include "scenes/write_glb.h"
+#include "plots/write_plot.h"
+#ifdef DETECT_FEATURES_WITH_PICTURES
+  #include "pictures/write_png.h"
+#endif
+#include "scenes/write_vtk.h"
+
+#include <ostream>
+#include <string>
+#include <utility>
+
+namespace AMF = CGAL::Animated_mesh_features;
+
+namespace Detect_features {
+
+namespace {
+
+class Vtk_folder : public Scene_file
+{
+public:
+  explicit Vtk_folder(const std::string& path)
+    : m_folder(path)
+  {}
+
+  void write(const Shown_scene& scene) override { AMF::IO::write_vtk(m_folder, scene); }
+  void commit() override { m_folder.commit(); }
+
+private:
+  AMF::IO::Output_folder m_folder;
+};
+
+// What goes to a single file, by `write(stream, scene)`.
+template <class Write>
+class Single_file : public Scene_file
+{
+public:
+  Single_file(const std::string& path, Write write)
+    : m_file(path)
+    , m_write(std::move(write))
+  {}
+
+  void write(const Shown_scene& scene) override
+  {
+    m_write(m_file.stream(), scene);
+    m_file.stream().flush();
+    m_file.check();
+  }
+  void commit() override { m_file.commit(); }
+
+private:
+  AMF::IO::Output_file m_file;
+  Write m_write;
+};
+
+template <class Write>
+std::unique_ptr<Scene_file> single_file(const std::string& path, Write write)
+{
+  return std::make_unique<Single_file<Write>>(path, std::move(write));
+}
+
+std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested, const Command_line& c)
+{
+  switch (requested.kind) {
+  case Scene_format::HTML: return open_html_file(requested.path, c.html_frame_step);
+  case Scene_format::VTK: return std::make_unique<Vtk_folder>(requested.path);
+  case Scene_format::GLB:
+    return single_file(requested.path, [](std::ostream& os, const Shown_scene& scene) { AMF::IO::write_glb(os, scene); });
+  case Scene_format::PLOT:
+    return single_file(requested.path, [](std::ostream& os, const Shown_scene& scene) { AMF::IO::write_plot(os, scene); });
+  case Scene_format::PNG:
+#ifdef DETECT_FEATURES_WITH_PICTURES
+    return single_file(requested.path, [options = c.picture](std::ostream& os, const Shown_scene& scene) {
+      AMF::IO::write_png(os, scene, options);
+    });
+#else
+    break; // refused by the command line
+#endif
+  }
+  return nullptr;
+}
+
+} // namespace
+
+Scene_files::Scene_files(const Command_line& command_line)
+{
+  for (const auto& requested : command_line.scenes) m_files.push_back(open(requested, command_line));
+}
+
+void Scene_files::write(const Shown_scene& scene)
+{
+  for (auto& file : m_files) file->write(scene);
+}
+
+void Scene_files::commit()
+{
+  for (auto& file : m_files) file->commit();
+}
+
+} // namespace Detect_features

@@ -1,0 +1,48 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DETECT_FEATURES_MEMORY_PLAN_H
+#define DETECT_FEATURES_MEMORY_PLAN_H
+
+#include <CGAL/Animated_mesh_features/Numerics/memory/Field_memory.h>
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace Detect_features {
+
+// Decides, as soon as the size of an animation is known, whether it is computed in memory or on the scratch directory.
+class Memory_plan
+{
+public:
+  // `limit` bytes, or what is available; `scratch_directory` is used only if there is a limit.
+  Memory_plan(std::optional<std::size_t> limit, std::string scratch_directory);
+
+  // Called once, before anything of the size of the animation is allocated. `fields` of the size of a coordinate are
+  // kept besides those of every detection.
+  // returns where coordinates are to live, and with them all fields.
+  // throws Error if the memory will not do, with the estimate; Output_error if the scratch directory will not.
+  std::shared_ptr<CGAL::Animated_mesh_features::Field_memory>
+  decide(std::size_t number_of_vertices, std::size_t number_of_frames, std::size_t fields);
+
+  // for the space levels
+  std::size_t level_memory() const { return m_level_memory; }
+
+  // one line, for --verbose
+  const std::string& report() const { return m_report; }
+
+private:
+  std::optional<std::size_t> m_limit;
+  std::string m_scratch_directory;
+  std::size_t m_level_memory = std::size_t(-1);
+  std::string m_report;
+};
+
+} // namespace Detect_features
+
+#endif // DETECT_FEATURES_MEMORY_PLAN_H

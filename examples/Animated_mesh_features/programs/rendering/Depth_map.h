@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROGRAMS_RENDERING_DEPTH_MAP_H
+#define PROGRAMS_RENDERING_DEPTH_MAP_H
+
+#include "rendering/Surface.h"
+#include "rendering/Triangle_scan.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace Rendering {
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesRendering
+
+How far a surface reaches towards a light: tells which points are in its shadow.
+*/
+class Depth_map
+{
+public:
+  /// looks at a surface from the light.
+  /// \param surface casts the shadow; is not kept
+  /// \param centre,radius a sphere around the surface
+  /// \param to_light the direction, unit vector
+  Depth_map(const Surface& surface, const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& to_light)
+    : m_u(to_light.unitOrthogonal())
+    , m_v(to_light.cross(m_u))
+    , m_w(to_light)
+    , m_centre(centre)
+    , m_scale(double(size) / (2 * radius))
+    , m_height(std::size_t(size * size), -(std::numeric_limits<float>::max)())
+  {
+    std::vector<Eigen::Vector3d> projected(surface.points.size());
+    for (std::size_t i = 0; i < projected.size(); ++i) projected[i] = place(surface.points[i]);
+    for (const Surface::Triangle& t : surface.triangles)
+      internal::Triangle_scan(projected[t[0]], projected[t[1]],
+                              projected[t[2]])(1, 0, size, 0, size, [this](long x, long y, double height) {
+        float& h = m_height[std::size_t(y * size + x)];
+        h = (std::max)(h, float(height));
+      });
+  }
+
+  /// how much of the light reaches a point, 0 to 1, interpolated between texels.
+  /// \param point anywhere; outside of the map there is no shadow
+  /// \param normal points on a surface shadow themselves: they are moved along their normal by one or two texels.
+  float visibility(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const
+  {
+    const double away = 1.5; // texels: half the diagonal of the interpolated ones, for slopes of up to 45 degrees
+    Eigen::Vector3d p = place(point + away / m_scale * normal);
+    p[0] -= 0.5, p[1] -= 0.5;
+    if (!(p[0] >= 0 && p[1] >= 0 && p[0] < size - 1 && p[1] < size - 1)) return 1;
+    const long x = long(p[0]), y = long(p[1]);
+    const float s = float(p[0] - double(x)), t = float(p[1] - double(y)), height = float(p[2]);
+    const float* const h = &m_height[std::size_t(y * size + x)];
+    const auto is_lit = [height](float h) { return height >= h ? 1.f : 0.f; };
+    return (1 - t) * ((1 - s) * is_lit(h[0]) + s * is_lit(h[1])) +
+           t * ((1 - s) * is_lit(h[size]) + s * is_lit(h[size + 1]));
+  }
+
+private:
+  // Texels a side. An error of one, 0.4 % of the body, is smaller than the penumbra of any of the lights.
+  static constexpr long size = 512;
+
+  // in texels, the third towards the light
+  Eigen::Vector3d place(const Eigen::Vector3d& p) const
+  {
+    const Eigen::Vector3d d = (p - m_centre) * m_scale;
+    return Eigen::Vector3d(d.dot(m_u) + size / 2., d.dot(m_v) + size / 2., d.dot(m_w));
+  }
+
+  Eigen::Vector3d m_u, m_v, m_w, m_centre;
+  double m_scale; // texels in a unit of length
+  std::vector<float> m_height;
+};
+
+} // namespace Rendering
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // PROGRAMS_RENDERING_DEPTH_MAP_H

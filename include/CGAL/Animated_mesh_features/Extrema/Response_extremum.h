@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_EXTREMA_RESPONSE_EXTREMUM_H
+#define CGAL_ANIMATED_MESH_FEATURES_EXTREMA_RESPONSE_EXTREMUM_H
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesScaleSpace
+
+An extremum of the response, refined between the samples: where, when and at which scales. Lengths are in the unit of the
+rest shape, times in seconds from the first frame.
+*/
+struct Response_extremum
+{
+  std::size_t vertex = 0;   ///< at which the response is extremal, from 0
+  std::size_t frame = 0;    ///< likewise, from 0
+  double refined_frame = 0; ///< between frames; within 1/2 of `frame`
+
+  std::array<std::size_t, 3> triangle = {{0, 0, 0}};           ///< vertices of a triangle at `vertex`; all three are `vertex` if it has none
+  std::array<double, 3> barycentric_coordinates = {{1, 0, 0}}; ///< of the place in it
+
+  double sigma = 0;            ///< the spatial scale (length)
+  double tau = 0;              ///< the temporal scale (s)
+  double response = 0;         ///< the extremal value
+  bool at_scale_limit = false; ///< found at the smallest or largest searched `sigma` or `tau`
+};
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesScaleSpace
+
+What `find_response_extrema()` returns.
+*/
+struct Response_extrema
+{
+  std::vector<Response_extremum> extrema; ///< in no particular order, but always in the same
+  std::vector<double> sigma_levels;       ///< the \f$\sigma\f$ of all space levels (length)
+  std::vector<double> tau_levels;         ///< the \f$\tau\f$ of all time levels (s)
+};
+
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_EXTREMA_RESPONSE_EXTREMUM_H

@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_DIFFERENCE_CASCADE_H
+#define CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_DIFFERENCE_CASCADE_H
+
+#include <CGAL/Animated_mesh_features/Extrema/internal/load_levels.h>
+#include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Level_batch.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Level_cascade.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace internal {
+
+// For a temporal filter whose steps are all the same, T_l = T^l T_0: the differences first, in double, and then their
+// chains in single precision, D_kl = a T^l p_k + b T^l q_k. Nothing cancels, however close levels are.
+template <class TemporalFilter>
+class Difference_cascade
+{
+public:
+  typedef float Scalar;
+  typedef Level_cascade<double, TemporalFilter> Precise;
+  static constexpr std::size_t lanes = 16;
+
+  static std::size_t largest_batch(std::size_t, std::size_t) { return lanes - 2; }
+
+  explicit Difference_cascade(const TemporalFilter& temporal) : m_temporal(temporal) {}
+
+  Precise precise() const { return Precise(m_temporal); }
+
+  template <std::size_t bytes>
+  class Rows
+  {
+    typedef Pack<float, lanes, bytes> L;
+    // the levels from which the lanes' differences are made
+    static constexpr std::size_t most_levels = lanes + 8;
+    typedef Pack<double, most_levels, bytes> Level_pack;
+
+  public:
+    Rows(const Difference_cascade& chains, const Level_batch& batch, std::size_t number_of_frames)
+      : m_temporal(chains.m_temporal)
+      , m_batch(batch)
+      , m_frames(number_of_frames)
+      , m_levels(batch.below + batch.above + 1)
+      , m_row(number_of_frames)
+      , m_next(number_of_frames)
+    {
+      for (std::vector<Level_pack>& level : m_levels) level.resize(number_of_frames);
+    }
+
+    void start(std::size_t v)
+    {
+      load_levels(m_batch, v, m_frames, m_loaded);
+      for (std::size_t l = 0; l < m_levels.size(); ++l)
+        m_temporal(l, l == 0 ? m_loaded.data() : m_levels[l - 1].data(), m_levels[l].data());
+      const std::size_t p = m_batch.above, q = m_batch.below;
+      const auto numbers = [&](std::size_t l, std::size_t f) {
+        return reinterpret_cast<const double*>(m_levels[l].data() + f);
+      };
+      for (std::size_t f = 0; f < m_frames; ++f) {
+        float space[lanes], time[lanes];
+        const double *same = numbers(q, f), *late = numbers(q + p, f), *early = numbers(0, f);
+        for (std::size_t i = 0; i < lanes; ++i) {
+          space[i] = float(same[i + q + p] - same[i]);
+          time[i] = float(late[i + q] - early[i + q]);
+        }
+        m_row[f] = {L::load(space), L::load(time)};
+      }
+      m_level = q;
+      measure();
+    }
+
+    // to the responses of time level l
+    void advance(std::size_t l)
+    {
+      for (; m_level < l; ++m_level) {
+        m_temporal(m_level + 1, m_row.data(), m_next.data());
+        m_row.swap(m_next);
+      }
+      // the chains decay, and their errors with them
+      if (l % 32 == 0) measure();
+    }
+
+    CGAL_ANIMATED_MESH_FEATURES_INLINE L response(const L& a, const L& b, std::size_t f) const
+    {
+      return a * m_row[f].p + b * m_row[f].q;
+    }
+
+    // of two responses
+    CGAL_ANIMATED_MESH_FEATURES_INLINE L slack(const L& a, const L& b) const
+    {
+      return (absolute(a) * m_bound.p + absolute(b) * m_bound.q) * (2 * smoothing_error<float>());
+    }
+
+  private:
+    void measure()
+    {
+      L p = L::all(0), q = p;
+      for (std::size_t f = 0; f < m_frames; ++f) {
+        p = larger(p, absolute(m_row[f].p));
+        q = larger(q, absolute(m_row[f].q));
+      }
+      m_bound = {p, q};
+    }
+
+    const TemporalFilter& m_temporal;
+    const Level_batch& m_batch;
+    std::size_t m_frames;
+    std::vector<Level_pack> m_loaded;
+    std::vector<std::vector<Level_pack>> m_levels; // the first time levels
+    std::vector<Pack_pair<L>> m_row, m_next;
+    std::size_t m_level = 0; // of m_row
+    Pack_pair<L> m_bound;
+  };
+
+private:
+  const TemporalFilter& m_temporal;
+};
+
+} // namespace internal
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_DIFFERENCE_CASCADE_H

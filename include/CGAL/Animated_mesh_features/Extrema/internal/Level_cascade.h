@@ -1,0 +1,126 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_LEVEL_CASCADE_H
+#define CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_LEVEL_CASCADE_H
+
+#include <CGAL/Animated_mesh_features/Extrema/internal/load_levels.h>
+#include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Level_batch.h>
+
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace internal {
+
+// The share of the largest value in a chain of smoothings by which a result may differ from the exact one: each smoothing
+// is an average with some roundings, most of which the following ones average away.
+template <class T>
+constexpr T smoothing_error()
+{
+  return 16 * std::numeric_limits<T>::epsilon();
+}
+
+// A chain U_l = T_l d for each space level, of which D_kl = a (U_{k+p,l} - U_{k-q,l}) + b (U_{k,l+p} - U_{k,l-q}): for
+// levels so far from one another that their differences keep their digits.
+template <class T, class TemporalFilter>
+class Level_cascade
+{
+public:
+  typedef T Scalar;
+  static constexpr bool is_single = sizeof(T) == sizeof(float);
+  typedef std::conditional_t<is_single, Level_cascade<double, TemporalFilter>, void> Precise;
+  static constexpr std::size_t lanes = 16;
+  // Levels. In double precision those that all lanes need, which makes it the precise variant of other chains.
+  static constexpr std::size_t levels = is_single ? lanes : lanes + 8;
+
+  static std::size_t largest_batch(std::size_t below, std::size_t above)
+  {
+    return is_single ? lanes - 2 - below - above : lanes - 2;
+  }
+
+  explicit Level_cascade(const TemporalFilter& temporal) : m_temporal(temporal) {}
+
+  Level_cascade<double, TemporalFilter> precise() const { return Level_cascade<double, TemporalFilter>(m_temporal); }
+
+  template <std::size_t bytes>
+  class Rows
+  {
+    typedef Pack<T, lanes, bytes> L;
+    typedef Pack<T, levels, bytes> Level_pack;
+
+  public:
+    Rows(const Level_cascade& chains, const Level_batch& batch, std::size_t number_of_frames)
+      : m_temporal(chains.m_temporal)
+      , m_batch(batch)
+      , m_frames(number_of_frames)
+      , m_cascade(batch.below + batch.above + 1)
+    {
+      // a frame more, since lanes are loaded from beyond the last
+      for (std::vector<Level_pack>& row : m_cascade) row.assign(number_of_frames + 1, Level_pack::all(0));
+    }
+
+    void start(std::size_t v)
+    {
+      load_levels(m_batch, v, m_frames, m_loaded);
+      Level_pack bound = Level_pack::all(0);
+      for (const Level_pack& frame : m_loaded) bound = larger(bound, absolute(frame));
+      T numbers[levels];
+      bound.store(numbers);
+      m_bound = L::load(numbers);
+      m_smoothed = 0;
+    }
+
+    // to the responses of time level l
+    void advance(std::size_t l)
+    {
+      for (; m_smoothed <= l + m_batch.above; ++m_smoothed)
+        m_temporal(m_smoothed, m_smoothed == 0 ? m_loaded.data() : row(m_smoothed - 1), row(m_smoothed));
+      m_now = reinterpret_cast<const T*>(row(l));
+      m_late = reinterpret_cast<const T*>(row(l + m_batch.above));
+      m_early = reinterpret_cast<const T*>(row(l - m_batch.below));
+    }
+
+    CGAL_ANIMATED_MESH_FEATURES_INLINE L response(const L& a, const L& b, std::size_t f) const
+    {
+      const std::size_t i = f * levels;
+      const L space = L::load(m_now + i + m_batch.below + m_batch.above) - L::load(m_now + i);
+      const L time = L::load(m_late + i + m_batch.below) - L::load(m_early + i + m_batch.below);
+      return a * space + b * time;
+    }
+
+    // of two responses: each is made of two differences, of lanes that are neighbours
+    CGAL_ANIMATED_MESH_FEATURES_INLINE L slack(const L& a, const L& b) const
+    {
+      return (absolute(a) + absolute(b)) * m_bound * (4 * smoothing_error<T>());
+    }
+
+  private:
+    Level_pack* row(std::size_t l) { return m_cascade[l % m_cascade.size()].data(); }
+
+    const TemporalFilter& m_temporal;
+    const Level_batch& m_batch;
+    std::size_t m_frames;
+    std::vector<Level_pack> m_loaded;
+    std::vector<std::vector<Level_pack>> m_cascade; // time level l in [l % size]
+    std::size_t m_smoothed = 0;          // time levels made so far
+    L m_bound;
+    const T *m_now = nullptr, *m_late = nullptr, *m_early = nullptr;
+  };
+
+private:
+  const TemporalFilter& m_temporal;
+};
+
+} // namespace internal
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_LEVEL_CASCADE_H

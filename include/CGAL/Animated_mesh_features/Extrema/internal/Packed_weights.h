@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_PACKED_WEIGHTS_H
+#define CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_PACKED_WEIGHTS_H
+
+#include <CGAL/Animated_mesh_features/Extrema/internal/Level_batch.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Level_weights.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace internal {
+
+// The weights of a batch, in the order in which lanes need them: for each time level those of all space levels, the
+// responses at [batch.first - 1, batch.last + 1) in the first lanes. Weights of lanes without a level are zero.
+template <class T>
+class Packed_weights
+{
+public:
+  Packed_weights(const Level_weights& weights, const Level_batch& batch, std::size_t time_levels, std::size_t lanes)
+    : m_lanes(lanes)
+    , m_space(time_levels * lanes, 0)
+    , m_time(time_levels * lanes, 0)
+    , m_floor(time_levels * lanes, 0)
+  {
+    for (std::size_t l = batch.below; l + batch.above < time_levels; ++l)
+      for (std::size_t k = batch.first - 1; k < batch.last + 1; ++k) {
+        const std::size_t i = l * lanes + k - (batch.first - 1);
+        m_space[i] = T(weights.space(k, l));
+        m_time[i] = T(weights.time(k, l));
+        m_floor[i] = T(weights.floor(k, l));
+      }
+  }
+
+  const T* space(std::size_t l) const { return m_space.data() + l * m_lanes; }
+  const T* time(std::size_t l) const { return m_time.data() + l * m_lanes; }
+  const T* floor(std::size_t l) const { return m_floor.data() + l * m_lanes; }
+
+private:
+  std::size_t m_lanes;
+  std::vector<T> m_space, m_time, m_floor; // [l][lane]
+};
+
+} // namespace internal
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_PACKED_WEIGHTS_H

@@ -1,0 +1,296 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_SCALE_SPACE_ENGINE_H
+#define CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_SCALE_SPACE_ENGINE_H
+
+#include <CGAL/Animated_mesh_features/Extrema/Extremum_search.h>
+#include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Stage.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Stage_scope.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Difference_cascade.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Exhaustive_candidate_detector.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Extremum.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Candidate_verifier.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Level_batch.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Level_cascade.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Level_weights.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Temporal_matrices.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Vectorized_candidate_detector.h>
+#include <CGAL/Animated_mesh_features/Animation/largest_value.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace internal {
+
+// Whether a search accepts nothing but strict minima.
+template <class Search, class = void>
+struct Searches_strict_minima : std::false_type
+{
+};
+template <class Search>
+struct Searches_strict_minima<Search, std::enable_if_t<Search::strict_minima>> : std::true_type
+{
+};
+
+// Finds the extrema of the response over all samples (vertex, frame, k, l).
+//
+// The spatial filter S acts on frames, the temporal filter T on rows of frames, so they commute, L_kl = S_k d T_l, and
+// S is applied once for each k only. A batch of space levels is kept in memory; for each vertex all its time levels,
+// responses and the comparisons at the vertex itself run in the caches. They detect_candidates candidates - generously, since they
+// run in single precision where they can -, and what is proposed is decided in double precision, at the vertex and at
+// its neighbours. Levels are in double precision whatever the scalar of the field.
+template <class TemporalFilter, class Response, class Search>
+class Scale_space_engine
+{
+  static constexpr std::size_t below = Response::below, above = Response::above;
+  typedef Level_batch::Field Level;
+
+public:
+  Scale_space_engine(const Rest_shape& shape,
+                     std::size_t number_of_frames,
+                     std::size_t space_levels,
+                     std::size_t time_levels,
+                     const TemporalFilter& temporal,
+                     const Response& response,
+                     const Search& search)
+    : m_shape(shape)
+    , m_frames(number_of_frames)
+    , m_space_levels(space_levels)
+    , m_time_levels(time_levels)
+    , m_temporal(temporal)
+    , m_response(response)
+    , m_search(search)
+  {
+  }
+
+  // At most that many space levels at which extrema are searched for at a time; a level of N x F doubles is in memory
+  // for each, and for `below` + `above` + 2 more.
+  void set_largest_batch(std::size_t levels) { m_largest_batch = levels; }
+
+  // Responses that are at most as large are none; default: 0.
+  void set_least_response(double least) { m_least_response = least; }
+
+  void set_instruction_set(Instruction_set instructions) { m_instructions = instructions; }
+
+  template <class ConcurrencyTag, class FT, class SpatialFilter, class Visitor>
+  std::vector<Extremum> run(const Spatio_temporal_field<FT>& field, SpatialFilter& spatial, Visitor& visitor)
+  {
+    const Level_weights weights(m_response, m_space_levels, m_time_levels, largest_value(field),
+                                m_least_response);
+    Temporal_matrices<TemporalFilter> matrices(m_temporal, m_frames, m_time_levels);
+    const auto run_with = [&](std::size_t fitting, const auto& make_detector) {
+      return run_batches<ConcurrencyTag>(field, spatial, visitor, weights, matrices, fitting, make_detector);
+    };
+    const auto run_cascade = [&](const auto& chains) {
+      typedef std::decay_t<decltype(chains)> Cascade;
+      return run_with(Cascade::largest_batch(below, above), [&](const Level_batch& batch) {
+        return Vectorized_candidate_detector<Cascade>(batch, weights, chains, m_frames, m_time_levels, m_instructions);
+      });
+    };
+    if constexpr (Is_vectorized_filter<TemporalFilter>::value && Searches_strict_minima<Search>::value &&
+                  below + above <= 8) {
+      if (m_temporal.has_equal_steps()) return run_cascade(Difference_cascade<TemporalFilter>(m_temporal));
+      if (levels_are_far_apart(spatial)) return run_cascade(Level_cascade<float, TemporalFilter>(m_temporal));
+      return run_cascade(Level_cascade<double, TemporalFilter>(m_temporal));
+    } else {
+      constexpr std::size_t fitting = 12;
+      return run_with(fitting, [&](const Level_batch& batch) {
+        return Exhaustive_candidate_detector<TemporalFilter, Search>(batch, weights, m_frames, m_time_levels, m_temporal,
+                                                           m_search);
+      });
+    }
+  }
+
+private:
+  // Whether differences of levels have enough digits in single precision to tell minima from their neighbours. They
+  // need the square of the step: a fifth of the logarithm leaves some hundred roundings.
+  template <class SpatialFilter>
+  bool levels_are_far_apart(const SpatialFilter& spatial) const
+  {
+    constexpr double least_ratio = 1.4; // of variances
+    bool result = true;
+    for (std::size_t k = 1; k < m_space_levels; ++k)
+      result = result && spatial.variance(k) >= least_ratio * spatial.variance(k - 1);
+    for (std::size_t l = 1; l < m_time_levels; ++l)
+      result = result && m_temporal.variance(l) >= least_ratio * m_temporal.variance(l - 1);
+    return result;
+  }
+
+  template <class ConcurrencyTag, class FT, class SpatialFilter, class Visitor, class MakeDetector>
+  std::vector<Extremum> run_batches(const Spatio_temporal_field<FT>& field,
+                                    SpatialFilter& spatial,
+                                    Visitor& visitor,
+                                    const Level_weights& weights,
+                                    Temporal_matrices<TemporalFilter>& matrices,
+                                    std::size_t fitting,
+                                    const MakeDetector& make_detector)
+  {
+    const Task_loop<ConcurrencyTag, Visitor> smooth_loop(visitor, Stage::SCALE_SPACE);
+    const Task_loop<ConcurrencyTag, Visitor> search_loop(visitor, Stage::EXTREMA);
+    // D exists for k in [below, space_levels - above), an extremum has a D on either side.
+    const std::size_t first = below + 1, last = m_space_levels - above - 1; // [first, last)
+    const std::size_t largest = (std::max)(std::size_t(1), (std::min)(fitting, m_largest_batch));
+    const std::size_t batches = (last - first + largest - 1) / largest;
+    std::vector<Extremum> extrema;
+    Level_batch batch;
+    batch.levels.resize(m_space_levels);
+    batch.below = below;
+    batch.above = above;
+    std::vector<std::shared_ptr<Level>> unused;
+    std::size_t smoothed = 0;
+    for (std::size_t i = 0; i < batches; ++i) {
+      batch.first = first + i * (last - first) / batches; // as equal as they can be: the last one costs as much
+      batch.last = first + (i + 1) * (last - first) / batches;
+      {
+        const Stage_scope<Visitor> stage(visitor, Stage::SCALE_SPACE);
+        for (; smoothed < batch.last_level(); ++smoothed) {
+          batch.levels[smoothed] = new_level(field, unused);
+          const auto loop = smooth_loop.part(smoothed, m_space_levels);
+          if (smoothed > 0)
+            spatial(smoothed, *batch.levels[smoothed - 1], *batch.levels[smoothed], loop);
+          else if constexpr (std::is_same<FT, double>::value)
+            spatial(smoothed, field, *batch.levels[smoothed], loop);
+          else
+            spatial(smoothed, in_double(field), *batch.levels[smoothed], loop);
+        }
+      }
+      {
+        const Stage_scope<Visitor> stage(visitor, Stage::EXTREMA);
+        search(batch, weights, make_detector(batch), search_loop.part(i, batches), matrices, extrema);
+      }
+      // the next batch begins at batch.last
+      for (std::size_t k = batch.first_level(); k < batch.last - 1 - below; ++k)
+        unused.push_back(std::move(batch.levels[k]));
+    }
+    return extrema;
+  }
+
+  template <class FT>
+  static std::shared_ptr<Level> new_level(const Spatio_temporal_field<FT>& field,
+                                          std::vector<std::shared_ptr<Level>>& unused)
+  {
+    if (unused.empty())
+      return std::make_shared<Level>(field.number_of_rows(), field.number_of_frames(), field.memory());
+    std::shared_ptr<Level> level = std::move(unused.back());
+    unused.pop_back();
+    return level;
+  }
+
+  template <class FT>
+  static Level in_double(const Spatio_temporal_field<FT>& field)
+  {
+    Level result(field.number_of_rows(), field.number_of_frames(), field.memory());
+    for (std::size_t v = 0; v < field.number_of_rows(); ++v)
+      std::copy(field.row(v), field.row(v) + field.number_of_frames(), result.row(v));
+    return result;
+  }
+
+  // Proposes and decides for some vertices at a time, which bounds the memory of candidates.
+  template <class Candidate_detector, class Loop>
+  void search(const Level_batch& batch,
+              const Level_weights& weights,
+              const Candidate_detector& detector,
+              const Loop& loop,
+              Temporal_matrices<TemporalFilter>& matrices,
+              std::vector<Extremum>& extrema)
+  {
+    constexpr std::size_t vertices_at_once = std::size_t(1) << 14;
+    const std::size_t n = m_shape.number_of_vertices(), parts = (n + vertices_at_once - 1) / vertices_at_once;
+    for (std::size_t part = 0; part < parts; ++part) {
+      const std::size_t first = part * vertices_at_once, last = (std::min)(n, first + vertices_at_once);
+      const auto part_loop = loop.part(part, parts);
+      std::vector<Candidate> candidates = detect_candidates(detector, first, last, part_loop.part(0, 2));
+      decide(batch, weights, candidates, part_loop.part(1, 2), matrices, extrema);
+    }
+  }
+
+  template <class Candidate_detector, class Loop>
+  std::vector<Candidate>
+  detect_candidates(const Candidate_detector& detector, std::size_t first_vertex, std::size_t last_vertex, const Loop& loop) const
+  {
+    constexpr std::size_t vertices_per_task = 8;
+    std::vector<std::vector<Candidate>> proposed((last_vertex - first_vertex + vertices_per_task - 1) /
+                                                 vertices_per_task); // in order, whichever thread finds them
+    loop(proposed.size(), [&](std::size_t task) {
+      const std::size_t first = first_vertex + task * vertices_per_task;
+      detector(first, (std::min)(last_vertex, first + vertices_per_task), proposed[task]);
+    });
+    std::vector<Candidate> all;
+    for (std::vector<Candidate>& p : proposed) {
+      all.insert(all.end(), p.begin(), p.end());
+      std::vector<Candidate>().swap(p);
+    }
+    return all;
+  }
+
+  // Time levels in windows for which there are matrices.
+  template <class Loop>
+  void decide(const Level_batch& batch,
+              const Level_weights& weights,
+              std::vector<Candidate>& candidates,
+              const Loop& loop,
+              Temporal_matrices<TemporalFilter>& matrices,
+              std::vector<Extremum>& extrema) const
+  {
+    constexpr std::size_t candidates_per_task = 64;
+    const std::size_t window = matrices.window_size(below + above + 3);
+    const std::size_t decided_at_once = window - (below + above + 2); // a window has a response on either side of them
+    const std::size_t first = below + 1, last = m_time_levels - above - 1;
+    const std::size_t windows = (last - first + decided_at_once - 1) / decided_at_once;
+    if (windows > 1)
+      std::stable_sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
+        return (a.l - first) / decided_at_once < (b.l - first) / decided_at_once;
+      });
+    const Candidate_verifier<TemporalFilter, Search> is_extremum(m_shape, batch, weights, matrices, m_search, m_frames);
+    auto next = candidates.begin();
+    for (std::size_t i = 0; i < windows; ++i) {
+      const std::size_t begin = first + i * decided_at_once, end = (std::min)(last, begin + decided_at_once);
+      const auto window_end =
+          std::find_if(next, candidates.end(), [&](const Candidate& c) { return c.l >= end; });
+      if (next == window_end) continue;
+      const auto window_loop = loop.part(i, windows);
+      matrices.set_window(begin - 1 - below, end + 1 + above, window_loop.part(0, 8));
+      const std::size_t size = std::size_t(window_end - next);
+      std::vector<std::vector<Extremum>> found((size + candidates_per_task - 1) / candidates_per_task);
+      const auto at = next;
+      window_loop.part(1, 2)(found.size(), [&](std::size_t task) {
+        Extremum extremum;
+        for (std::size_t j = task * candidates_per_task; j < (std::min)(size, (task + 1) * candidates_per_task); ++j)
+          if (is_extremum(at[std::ptrdiff_t(j)], extremum)) found[task].push_back(extremum);
+      });
+      for (std::vector<Extremum>& f : found)
+        extrema.insert(extrema.end(), std::make_move_iterator(f.begin()), std::make_move_iterator(f.end()));
+      next = window_end;
+    }
+    loop.finish();
+  }
+
+  const Rest_shape& m_shape;
+  std::size_t m_frames, m_space_levels, m_time_levels;
+  const TemporalFilter& m_temporal;
+  const Response& m_response;
+  const Search& m_search;
+  std::size_t m_largest_batch = std::size_t(-1);
+  double m_least_response = 0;
+  Instruction_set m_instructions = widest_instruction_set();
+};
+
+} // namespace internal
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_SCALE_SPACE_ENGINE_H

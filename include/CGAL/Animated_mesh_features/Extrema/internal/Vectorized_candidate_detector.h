@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_VECTORIZED_CANDIDATE_DETECTOR_H
+#define CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_VECTORIZED_CANDIDATE_DETECTOR_H
+
+#include <CGAL/Animated_mesh_features/Extrema/internal/Packed_weights.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Level_batch.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Level_weights.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Packed_responses.h>
+#include <CGAL/Animated_mesh_features/Numerics/simd/run_vectorized.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace internal {
+
+// Proposes the samples of a range of vertices that may be strict minima, for temporal filters that take lanes: a lane
+// for each space level of a batch, all time levels one after the other, in the caches. It proposes all that the errors
+// of its arithmetic leave possible, so that nothing is lost by single precision; deciding is up to others.
+//
+// Where a field hardly changes over frames and scales, single precision leaves everything possible. A vertex of which
+// that is so is searched again with Cascade::Precise, unless that is `void`.
+//
+// Cascade::Row<bytes> makes the responses of successive time levels of a vertex.
+template <class Cascade>
+class Vectorized_candidate_detector
+{
+  typedef typename Cascade::Scalar T;
+  static constexpr bool is_precise = std::is_void<typename Cascade::Precise>::value;
+  typedef std::conditional_t<is_precise, Cascade, typename Cascade::Precise> Precise_cascade;
+  struct Nothing
+  {
+  };
+  typedef std::conditional_t<is_precise, Nothing, Vectorized_candidate_detector<Precise_cascade>> Precise_detector;
+
+public:
+  Vectorized_candidate_detector(const Level_batch& batch, const Level_weights& weights, const Cascade& chains,
+                      std::size_t number_of_frames, std::size_t time_levels, Instruction_set instructions)
+    : m_batch(batch)
+    , m_weights(weights, batch, time_levels, Cascade::lanes)
+    , m_cascade(chains)
+    , m_frames(number_of_frames)
+    , m_time_levels(time_levels)
+    , m_instructions(instructions)
+  {
+    if constexpr (!is_precise)
+      m_precise = std::make_shared<const Precise_detector>(batch, weights, chains.precise(), number_of_frames,
+                                                           time_levels, instructions);
+  }
+
+  void operator()(std::size_t first_vertex, std::size_t last_vertex, std::vector<Candidate>& candidates) const
+  {
+    std::vector<std::size_t> unclear;
+    Kernel kernel = {*this, first_vertex, last_vertex, candidates, unclear};
+    run_vectorized<T>(m_instructions, kernel);
+    if constexpr (!is_precise)
+      for (std::size_t v : unclear) (*m_precise)(v, v + 1, candidates);
+  }
+
+private:
+  struct Kernel
+  {
+    const Vectorized_candidate_detector& detector;
+    std::size_t first_vertex, last_vertex;
+    std::vector<Candidate>& candidates;
+    std::vector<std::size_t>& unclear;
+
+    template <std::size_t bytes>
+    void run()
+    {
+      detector.template search<bytes>(first_vertex, last_vertex, candidates, unclear);
+    }
+  };
+
+  // Deciding on that many takes about as long as searching again.
+  std::size_t most_candidates() const
+  {
+    constexpr std::size_t samples_per_candidate = 128;
+    return Cascade::lanes * m_time_levels * m_frames / samples_per_candidate + 1;
+  }
+
+  template <std::size_t bytes>
+  void search(std::size_t first_vertex, std::size_t last_vertex, std::vector<Candidate>& candidates,
+              std::vector<std::size_t>& unclear) const
+  {
+    typedef Pack<T, Cascade::lanes, bytes> L;
+    typename Cascade::template Rows<bytes> rows(m_cascade, m_batch, m_frames);
+    Packed_responses<L> responses(m_frames);
+    const std::size_t last_lane = m_batch.last - m_batch.first + 1;
+    const std::size_t first = m_batch.below, last = m_time_levels - m_batch.above, most = most_candidates();
+    for (std::size_t v = first_vertex; v < last_vertex; ++v) {
+      const std::size_t clear = candidates.size();
+      rows.start(v);
+      responses.start(first);
+      for (std::size_t l = first; l < last; ++l) {
+        rows.advance(l);
+        const L a = L::load(m_weights.space(l)), b = L::load(m_weights.time(l));
+        responses.push(rows.slack(a, b), L::load(m_weights.floor(l)),
+                       [&](std::size_t f) { return rows.response(a, b, f); });
+        if (!responses.can_search()) continue;
+        const std::size_t searched = responses.searched_level();
+        responses.search(last_lane, [&](std::size_t f, std::size_t lane) {
+          candidates.push_back(
+              {std::uint32_t(v), std::uint32_t(f), std::uint32_t(m_batch.first - 1 + lane), std::uint32_t(searched)});
+        });
+        if (!is_precise && candidates.size() - clear > most) {
+          candidates.resize(clear);
+          unclear.push_back(v);
+          break;
+        }
+      }
+    }
+  }
+
+  const Level_batch& m_batch;
+  Packed_weights<T> m_weights;
+  const Cascade m_cascade;
+  std::size_t m_frames, m_time_levels;
+  Instruction_set m_instructions;
+  std::shared_ptr<const Precise_detector> m_precise;
+};
+
+} // namespace internal
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_VECTORIZED_CANDIDATE_DETECTOR_H

@@ -1,0 +1,224 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_SCALE_SPACE_GAUSSIAN_TEMPORAL_FILTER_H
+#define CGAL_ANIMATED_MESH_FEATURES_SCALE_SPACE_GAUSSIAN_TEMPORAL_FILTER_H
+
+#include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
+
+#include <boost/math/constants/constants.hpp>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesFilters
+
+Smoothing in time by the discrete Gaussian with reflecting ends; a model of `TemporalFilter`, the default.
+
+The semigroup of the discrete heat equation: in the basis of the DCT-II, which continues a row by its mirror image, the
+factors are \f$e^{u(\cos(\pi j/F) - 1)}\f$ for the variance u in squared frames \cgalCite{lindeberg1990}. Variances add
+exactly, the mean is kept exactly, and no new extrema appear, whatever the step.
+
+A level costs F times the width of its kernel. In single precision it costs less if steps grow with the variances: a row
+that has been smoothed needs a weight every few frames only, two or three dozen of them altogether, however wide
+the kernel.
+
+\cgalModels{TemporalFilter}
+*/
+class Gaussian_temporal_filter
+{
+public:
+  /// rows may be those of several vertices at once, see `TemporalFilter`.
+  static constexpr bool vectorized = true;
+
+  /// the step where a sampling counts steps: the variance of a box of three frames (squared seconds).
+  double unit_variance(std::size_t /* number_of_frames */, double frame_duration) const
+  {
+    return 2 * frame_duration * frame_duration / 3;
+  }
+
+  /// prepares the levels.
+  /// \param number_of_frames of each row.
+  /// \param frame_duration seconds.
+  /// \param variances ascending; squared seconds.
+  void initialize(std::size_t number_of_frames, double frame_duration, const std::vector<double>& variances)
+  {
+    m_frames = number_of_frames;
+    m_variances = variances;
+    m_kernels.clear();
+    m_float_kernels.clear();
+    const bool is_sparse = !has_equal_steps(); // errors are then measured by what equal steps have left of the row
+    for (std::size_t l = 0; l < variances.size(); ++l) {
+      const double before = (l > 0 ? variances[l - 1] : 0) / (frame_duration * frame_duration);
+      const double step = variances[l] / (frame_duration * frame_duration) - before;
+      m_kernels.push_back({1, kernel(step)});
+      m_float_kernels.push_back(float_kernel(m_kernels.back(), is_sparse ? largest_stride(before, step) : 1));
+    }
+  }
+
+  /// the variance of level `l`, exactly the one that was asked for.
+  double variance(std::size_t l) const { return m_variances[l]; }
+
+  /// whether every level from the second on is the level before it after one and the same operation.
+  bool has_equal_steps() const
+  {
+    for (std::size_t l = 2; l < m_variances.size(); ++l) {
+      const double first = m_variances[1] - m_variances[0], step = m_variances[l] - m_variances[l - 1];
+      if (!(std::abs(step - first) <= 1e-12 * m_variances[l])) return false; // they may have been computed as multiples
+    }
+    return true;
+  }
+
+  /// smooths a row of frames from level `l` - 1 (the unsmoothed row for `l` = 0) to level `l`; `in` and `out` do not
+  /// overlap. Rows of `float` have to be those of level `l` - 1, since they are not asked for at every frame.
+  /// \tparam T `float`, `double`, or several of them that are computed with as one, see `vectorized`.
+  template <class T>
+  void operator()(std::size_t l, const T* in, T* out) const
+  {
+    typedef typename internal::Scalar_of<T>::type Scalar;
+    const Kernel& k = std::is_same<Scalar, float>::value ? m_float_kernels[l] : m_kernels[l];
+    const std::ptrdiff_t n = std::ptrdiff_t(m_frames), reach = k.reach();
+    // the row between its two mirror images; the kernel reaches at most once around
+    static thread_local std::vector<T> mirrored;
+    if (std::ptrdiff_t(mirrored.size()) < n + 2 * reach) mirrored.resize(std::size_t(n + 2 * reach));
+    T* row = mirrored.data() + reach;
+    std::copy(in, in + n, row);
+    for (std::ptrdiff_t i = 0; i < reach; ++i) {
+      row[-1 - i] = in[i];
+      row[n + i] = in[n - 1 - i];
+    }
+    if constexpr (std::is_arithmetic<T>::value) {
+      convolve_row(row, n, k, out);
+    } else {
+      std::ptrdiff_t f = 0;
+      // several frames at a time: their sums do not wait for one another
+      for (; f + 4 <= n; f += 4) convolve<4>(row + f, k, out + f);
+      for (; f < n; ++f) convolve<1>(row + f, k, out + f);
+    }
+  }
+
+private:
+  // weights[i] is that of the frames i strides away, on either side.
+  struct Kernel
+  {
+    std::ptrdiff_t stride;
+    std::vector<double> weights;
+    std::ptrdiff_t reach() const { return stride * std::ptrdiff_t(weights.size() - 1); }
+  };
+
+  // Values of single vertices: the registers hold successive frames.
+  template <class FT>
+  static void convolve_row(const FT* row, std::ptrdiff_t n, const Kernel& k, FT* out)
+  {
+    typedef Eigen::Array<FT, Eigen::Dynamic, 1> Row;
+    const std::ptrdiff_t size = std::ptrdiff_t(k.weights.size());
+    const auto pair = [&](std::ptrdiff_t i) {
+      const std::ptrdiff_t m = i * k.stride;
+      return FT(k.weights[std::size_t(i)]) * (Eigen::Map<const Row>(row - m, n) + Eigen::Map<const Row>(row + m, n));
+    };
+    Eigen::Map<Row> sum(out, n);
+    sum = FT(k.weights[0]) * Eigen::Map<const Row>(row, n);
+    std::ptrdiff_t i = 1;
+    // two at a time: half of the loads and stores of the sum
+    for (; i + 1 < size; i += 2) sum += pair(i) + pair(i + 1);
+    if (i < size) sum += pair(i);
+  }
+
+  // Values of several vertices: a register holds one frame of all of them.
+  template <int frames, class T>
+  static void convolve(const T* row, const Kernel& k, T* out)
+  {
+    typedef typename T::Scalar Scalar;
+    T sum[frames];
+    CGAL_ANIMATED_MESH_FEATURES_UNROLL
+    for (int f = 0; f < frames; ++f) sum[f] = row[f] * Scalar(k.weights[0]);
+    for (std::size_t i = 1; i < k.weights.size(); ++i) {
+      const std::ptrdiff_t m = std::ptrdiff_t(i) * k.stride;
+      const Scalar weight = Scalar(k.weights[i]);
+      CGAL_ANIMATED_MESH_FEATURES_UNROLL
+      for (int f = 0; f < frames; ++f) sum[f] = sum[f] + (row[f - m] + row[f + m]) * weight;
+    }
+    CGAL_ANIMATED_MESH_FEATURES_UNROLL
+    for (int f = 0; f < frames; ++f) out[f] = sum[f];
+  }
+
+  // The right half of the kernel on a circle of 2 F frames, where a row and its mirror image live, up to where it
+  // vanishes in double precision.
+  std::vector<double> kernel(double u) const
+  {
+    const std::size_t period = 2 * m_frames;
+    std::vector<double> cosine(period), factor(period), values;
+    for (std::size_t j = 0; j < period; ++j) {
+      cosine[j] = std::cos(boost::math::constants::two_pi<double>() * double(j) / double(period));
+      factor[j] = std::exp(u * (cosine[j] - 1)) / double(period);
+    }
+    for (std::size_t m = 0; m <= m_frames; ++m) {
+      double sum = 0;
+      for (std::size_t j = 0; j < period; ++j) sum += factor[j] * cosine[(j * m) % period];
+      if (m > 0 && sum < 1e-16) break;
+      values.push_back(sum);
+    }
+    if (values.size() == m_frames + 1) values.back() /= 2; // opposite on the circle: reached from both sides
+    return values;
+  }
+
+  // Errors that single precision does not see, relative to the largest value of a row.
+  static constexpr double float_error = double(std::numeric_limits<float>::epsilon()) / 8;
+
+  // How many frames apart the weights of a step of variance u may be, behind one of variance v (squared frames).
+  //
+  // With a weight every s frames, each s times as large, the factor g(w - 2 pi k / s) comes with g(w) for all k < s,
+  // g(w) = exp(u (cos w - 1)). Before came exp(v (cos w - 1)); u cos(w - a) + v cos w is R cos(w - b) with
+  // R^2 = u^2 + v^2 + 2 u v cos a. So a row takes on exp(R - u - v) times its smoothing by a discrete Gaussian of variance
+  // R on a carrier wave, which is at most exp(R - u - v) of its largest value.
+  static std::ptrdiff_t largest_stride(double v, double u)
+  {
+    const auto share = [&](std::ptrdiff_t k, std::ptrdiff_t s) {
+      const double cosine = std::cos(boost::math::constants::two_pi<double>() * double(k) / double(s));
+      return std::exp(std::sqrt((std::max)(0., u * u + v * v + 2 * u * v * cosine)) - u - v);
+    };
+    for (std::ptrdiff_t s = 2;; ++s) {
+      double error = 0, last = 1;
+      for (std::ptrdiff_t k = 1; 2 * k <= s && last > 1e-6 * float_error; ++k) { // they decrease up to s / 2
+        last = share(k, s);
+        error += 2 * k == s ? last : 2 * last;
+      }
+      if (error > float_error) return s - 1;
+    }
+  }
+
+  // What single precision sees of a kernel: what lies behind sums up to less than its rounding.
+  static Kernel float_kernel(const Kernel& kernel, std::ptrdiff_t stride)
+  {
+    std::size_t size = kernel.weights.size();
+    double tail = 0;
+    while (size > 1 && tail + 2 * kernel.weights[size - 1] < 2 * float_error) tail += 2 * kernel.weights[--size];
+    if (size == kernel.weights.size()) stride = 1; // the kernel may reach around the circle, where strides do not meet
+    Kernel result = {stride, {}};
+    for (std::size_t m = 0; m < size; m += std::size_t(stride))
+      result.weights.push_back(double(stride) * kernel.weights[m]);
+    return result;
+  }
+
+  std::size_t m_frames = 0;
+  std::vector<double> m_variances;
+  std::vector<Kernel> m_kernels, m_float_kernels; // [l]
+};
+
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_SCALE_SPACE_GAUSSIAN_TEMPORAL_FILTER_H

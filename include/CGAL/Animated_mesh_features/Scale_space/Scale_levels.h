@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_SCALE_SPACE_SCALE_LEVELS_H
+#define CGAL_ANIMATED_MESH_FEATURES_SCALE_SPACE_SCALE_LEVELS_H
+
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesScaleSpace
+
+The levels of a scale space, as a model of `ScaleSampling` asks for them.
+
+A filter need not attain a variance exactly (a number of averages is an integer); what it attains it says itself, and
+the scales that are reported follow it: \f$\sigma\f$ is `sigma_factor` times the square root of the variance attained.
+*/
+struct Scale_levels
+{
+  /// the variance per axis \f$s = \sigma^2\f$ of each space level, ascending; squared length.
+  std::vector<double> space_variances;
+
+  /// the variance \f$u = \tau^2\f$ of each time level, ascending; squared seconds.
+  std::vector<double> time_variances;
+
+  /// the reported \f$\sigma\f$ over the standard deviation of the spatial filter; 1 unless a method names its scales
+  /// otherwise.
+  double sigma_factor = 1;
+
+  /// likewise for \f$\tau\f$.
+  double tau_factor = 1;
+
+  /// \name Units of the response
+  /// The spatial and the temporal term of the scale-normalised difference of Gaussians have different dimensions, so
+  /// that a length and a time have to be chosen in which \f$\sigma\f$ and \f$\tau\f$ are measured there.
+  /// @{
+  double unit_length = 1; ///< length
+  double unit_time = 1;   ///< seconds
+  /// @}
+};
+
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_SCALE_SPACE_SCALE_LEVELS_H
