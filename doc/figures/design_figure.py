@@ -9,7 +9,7 @@ from svg import BLUE, GREEN, GREY, INK, Drawing
 
 # what is computed, its shape, concept, models with the default first
 STEPS = [
-    ("animation", "mesh, F frames, rest shape, clock", "MeshAnimation", ["Frame_sequence"]),
+    ("animation", "mesh, F frames, rest shape, frame rate", "MeshAnimation", ["Frame_sequence"]),
     ("strain", "N × F", "StrainMeasure", ["Hencky_strain", "Green_lagrange_…, Principal_stretch_…,",
                                           "Largest_eigenvalue_strain"]),
     ("geodesic balls", "a list for each vertex", "GeodesicBalls",

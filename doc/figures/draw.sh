@@ -47,13 +47,13 @@ make cylinder -o "$data/cylinder"
 detect "$data/cylinder.obj" "$data/cylinder.pc2" --rest "$data/cylinder.obj" \
   --png "$figures/bending_cylinder.png" --png-size 1600x620
 for rate in 15 30 60 120; do
-  make cylinder --fps "$rate" -o "$data/clock"
+  make cylinder --fps "$rate" -o "$data/rate"
   for preset in calibrated published; do
-    detect "$data/clock.obj" "$data/clock.pc2" --fps "$rate" --rest "$data/clock.obj" --preset "$preset" \
-      -o "$data/clock_${preset}_$rate.json"
+    detect "$data/rate.obj" "$data/rate.pc2" --fps "$rate" --rest "$data/rate.obj" --preset "$preset" \
+      -o "$data/rate_${preset}_$rate.json"
   done
-  detect "$data/clock.obj" "$data/clock.pc2" --fps "$rate" --rest "$data/clock.obj" --tau-range 0.0333333:0.333333 \
-    -o "$data/clock_range_$rate.json"
+  detect "$data/rate.obj" "$data/rate.pc2" --fps "$rate" --rest "$data/rate.obj" --tau-range 0.0333333:0.333333 \
+    -o "$data/rate_range_$rate.json"
 done
 
 say "numbers and pictures"

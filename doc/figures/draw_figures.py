@@ -227,7 +227,7 @@ def scale_space(folder):
     levels(folder, "response", "The response at the same levels", RESPONSE_COLOURS, low, -low, "response_levels.svg", True)
 
 
-def time_clock(folder):
+def frame_rate(folder):
     """The same motion, filmed at several rates, in both presets."""
     rates = [15, 30, 60, 120]
     colours = [AMBER, RED, VIOLET, BLUE]
@@ -235,7 +235,7 @@ def time_clock(folder):
     p = Plot(d, 62, 40, 300, 235, Axis(0.3, 1.2, [0.4, 0.6, 0.8, 1, 1.2]), Axis(0.04, 0.4, [0.05, 0.1, 0.2, 0.4], True),
              "time (s)", "τ (s)", "where in time, and how long")
     for i, (rate, colour) in enumerate(zip(rates, colours)):
-        found = folder.json("clock_calibrated_%d.json" % rate)["features"]
+        found = folder.json("rate_calibrated_%d.json" % rate)["features"]
         p.dots([f["time"] for f in found], [f["tau"] for f in found], colour, 11 - 2.6 * i, "none")
         p.label(0.32, 0.4, "%d frames in a second" % rate, colour, dx=18, dy=20 + 19 * i)
         p.drawing.add("circle", cx=p.at(0.32, 0.4)[0] + 6.0, cy=p.at(0.32, 0.4)[1] + 15.5 + 19.0 * i, r=5.0, fill="none",
@@ -245,12 +245,12 @@ def time_clock(folder):
              "frames in a second", "strength", "strength of the strongest")
     for preset, words, colour, dy in [("published", "published", AMBER, -28), ("calibrated", "calibrated", GREEN, -12),
                                       ("range", "calibrated, range of τ given", BLUE, 22)]:
-        strength = [folder.json("clock_%s_%d.json" % (preset, rate))["features"][0]["strength"] for rate in rates]
+        strength = [folder.json("rate_%s_%d.json" % (preset, rate))["features"][0]["strength"] for rate in rates]
         p.curve(rates, strength, colour)
         p.dots(rates, strength, colour, 3.5)
         p.label(rates[0], strength[0], words, colour, dx=0, dy=dy)
     p.frame()
-    folder.write(d, "time_clock.svg")
+    folder.write(d, "frame_rate.svg")
 
 
 def strain_measures(folder):
@@ -405,7 +405,7 @@ def pictures(folder, name, title, panels, columns, top, bottom):
 def main():
     folder = Folder(*sys.argv[1:])
     design(os.path.join(folder.figures, "design.svg"))
-    for draw in [anatomy, gaussians_in_time, blob, cylinder_map, scale_space, time_clock, strain_measures, refinement,
+    for draw in [anatomy, gaussians_in_time, blob, cylinder_map, scale_space, frame_rate, strain_measures, refinement,
                  varying_density, bands, noise, scales_of_features]:
         draw(folder)
     pictures(folder, "choices.svg", "The running figure with other parameters",

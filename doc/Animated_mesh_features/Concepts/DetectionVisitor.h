@@ -13,7 +13,8 @@ The concept `DetectionVisitor` describes who is told of the progress of a detect
 All functions are called from the thread that called the detector, and from no other: they may print, draw or look at a
 user interface without locking.
 
-`CGAL::Animated_mesh_features::Feature_detector` takes its visitor by reference, and asks for nothing else;
+`CGAL::Animated_mesh_features::Deformation_measurement` and `CGAL::Animated_mesh_features::Feature_detector` take their
+visitor by reference, and ask for nothing else;
 `CGAL::detect_spatio_temporal_features()` takes it by value, for which it has to be move-constructible.
 
 \cgalHasModelsBegin

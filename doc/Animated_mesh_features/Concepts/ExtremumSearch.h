@@ -37,17 +37,17 @@ public:
   Called for one neighbour after the other, up to the first that objects.
 
   \param centre the response at the sample.
-  \param before, same, behind the responses at the neighbour in the frame before, in the same frame, and in the frame
-    behind.
+  \param before, same, after the responses at the neighbour in the frame before, in the same frame, and in the frame
+    after it.
   */
   template <class FT>
-  bool at_neighbour(FT centre, FT before, FT same, FT behind) const;
+  bool at_neighbour(FT centre, FT before, FT same, FT after) const;
 
   /// \name What Makes the Search Fast
   /// Optional.
   /// @{
 
-  /// `true`: `at_vertex()` accepts only samples that are below zero, below the samples of the frames before and behind at
+  /// `true`: `at_vertex()` accepts only samples that are below zero, below the samples of the frames before and after at
   /// the same scales, and below the same sample at the eight neighbouring scales. Such samples are looked for in vector
   /// registers, and `at_vertex()` sees only those.
   static constexpr bool strict_minima = true;

@@ -25,15 +25,8 @@ public:
   /*!
   collects for each vertex of a shape the vertices within a geodesic distance of it.
 
-  \tparam Loop its type is not documented, what can be done with it is this:
-  - `loop(n, task)` calls `task(i)` for each `i` in `[0, n)`, in any order and, if the detector was told so, on several
-    threads, and returns when all of them are done. The tasks must not depend on one another. Meanwhile the visitor is
-    told of the progress, from none to all of what `loop` stands for; if it cancels, `loop()` throws
-    `CGAL::Animated_mesh_features::Cancelled`, which is to be let through.
-  - `loop.part(i, n)` is the loop that stands for the `i`-th of `n` equal parts of the work, for those who need several
-    passes.
-
-  A model that does not use it works as well; nobody is told of its progress, nor can it be cancelled.
+  \tparam Loop a model of `TaskLoop`. A model of `GeodesicBalls` that does not use it works as well; nobody is told of its
+    progress, nor can it be cancelled.
 
   \param shape the rest shape.
   \param radius positive; length.

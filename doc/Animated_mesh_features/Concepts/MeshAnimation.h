@@ -12,8 +12,9 @@ The concept `MeshAnimation` describes what features are found on: a triangle mes
 the positions of its vertices in each of `F` frames, the time between two frames, and the shape from which deformation
 is measured.
 
-A model need not be default-constructible, copyable or assignable. What its functions return is read once, when a
-detector is constructed. The animation has to outlive the detector.
+A model need not be default-constructible, copyable or assignable. What its functions return is read once:
+by `CGAL::detect_spatio_temporal_features()`, when a `CGAL::Animated_mesh_features::Deformation_measurement` is
+constructed, or by `CGAL::Animated_mesh_features::as_frame_sequence()`. Only its mesh has to live longer.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Animated_mesh_features::Frame_sequence}
@@ -50,7 +51,7 @@ public:
   /// the connectivity.
   const Triangle_mesh& triangle_mesh() const;
 
-  /// `F`, at least 3, since a feature has a frame before it and one behind it.
+  /// `F`, at least 3, since a feature has a frame before and a frame after it.
   std::size_t number_of_frames() const;
 
   /// the time between two frames, in seconds; positive.

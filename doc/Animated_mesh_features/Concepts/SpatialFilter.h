@@ -31,7 +31,8 @@ public:
   \param shape the rest shape; lives until the last level is made.
   \param variances for each level the variance per axis \f$\sigma^2\f$ of the smoothing, with respect to the field that
     is not smoothed; ascending; squared length. A model need not attain them exactly.
-  \param loop see `GeodesicBalls`. The visitor's fraction stays 0 meanwhile.
+  \tparam Loop a model of `TaskLoop`.
+  \param loop runs tasks. The visitor's fraction stays 0 meanwhile.
   */
   template <class Loop>
   void initialize(const CGAL::Animated_mesh_features::Rest_shape& shape,
@@ -55,7 +56,7 @@ public:
   \param k the level.
   \param in, out different fields of `N x F`, rows in the order of `shape`; in double precision, whatever the scalar of
     the animation. What is in `out` before is not to be relied on.
-  \param loop see `GeodesicBalls`.
+  \param loop runs tasks.
   */
   template <class Loop>
   void operator()(std::size_t k,
