@@ -79,7 +79,7 @@ public:
 private:
   std::size_t m_vertices, m_frames, m_frames_at_once;
   Fields m_fields;
-  std::vector<FT> m_gathered; // the frames of the batch, one behind the other
+  std::vector<FT> m_gathered; // the frames of the batch, one after the other
   std::size_t m_first = 0;    // of the batch
 };
 

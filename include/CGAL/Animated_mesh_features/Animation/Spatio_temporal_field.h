@@ -25,7 +25,7 @@ An `N x F` array of scalars: a value for each of `N` simplices (vertices, someti
 
 The frames of a simplex are contiguous, so that whatever acts on the surface (averages over neighbours, sums over
 geodesic balls) is a combination of rows and runs over the frames in vector registers. Rows start at multiples of
-64 bytes; the padding behind a row's last frame is part of the array, is zero at first, and may be overwritten.
+64 bytes; the padding after a row's last frame is part of the array, is zero at first, and may be overwritten.
 
 Row `i` belongs to the `i`-th element of `vertices(mesh)` (or of `faces(mesh)`). The values live in a
 `Field_memory`, which a field shares with its copies and with what is computed from it.

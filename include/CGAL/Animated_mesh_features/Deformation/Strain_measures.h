@@ -48,7 +48,7 @@ struct Constant<Pack<Scalar, n, b>>
   }
 };
 
-// Whether a measure takes lanes, too: those of the library.
+// Whether a measure takes packs, too: those of the library.
 template <class Measure>
 struct Takes_packs : std::false_type
 {

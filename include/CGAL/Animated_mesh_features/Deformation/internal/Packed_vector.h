@@ -51,7 +51,7 @@ struct Position_rows
   {}
 };
 
-// Three-dimensional vectors, one in each lane.
+// Three-dimensional vectors, one for each entry of a pack.
 template <class L>
 struct Packed_vector
 {
@@ -81,7 +81,7 @@ struct Packed_vector
   }
 };
 
-// Calls a function of the user's, which takes Eigen arrays of a cache line, with lanes.
+// Calls a function of the user's, which takes Eigen arrays of a cache line, with packs.
 template <class L, class Function, class... Arguments>
 CGAL_ANIMATED_MESH_FEATURES_INLINE L call_with_arrays(const Function& function, const Arguments&... arguments)
 {

@@ -31,10 +31,10 @@ namespace internal {
 template <class FT, class Measure>
 class Curvature_block
 {
-  static constexpr std::size_t lanes = Frame_pack<FT>::size;
+  static constexpr std::size_t pack_size = Frame_pack<FT>::size;
   static constexpr bool is_fraction = Measure::membership == Ball_membership::FRACTION;
   typedef Denominators<Measure> Terms;
-  static constexpr std::size_t edge_size = Terms::of_edges ? 2 * lanes : lanes; // numerators, then denominators
+  static constexpr std::size_t edge_size = Terms::of_edges ? 2 * pack_size : pack_size; // numerators, then denominators
 
 public:
   Curvature_block(const Rest_shape& shape, const Compressed_rows& balls, const Measure& measure,
@@ -46,25 +46,25 @@ public:
     , m_factor(FT(measure.factor(m_shape)))
     , m_scale(FT(1 / m_shape.mean_edge_length()))
     , m_edges(edge_size * m_shape.edges().size())
-    , m_triangles(Terms::of_triangles ? lanes * m_shape.triangles().size() : 0)
-    , m_vertices(is_fraction ? 2 * lanes * m_shape.number_of_vertices() : 0)
+    , m_triangles(Terms::of_triangles ? pack_size * m_shape.triangles().size() : 0)
+    , m_vertices(is_fraction ? 2 * pack_size * m_shape.number_of_vertices() : 0)
   {
     if (!is_fraction) find_first_simplices();
   }
 
-  // write(v, curvatures), lanes that are to be stored as those of v, for each vertex; 0 where a ball has nothing to sum.
+  // write(v, curvatures), a pack that is to be stored as that of v, for each vertex; 0 where a ball has nothing to sum.
   template <class Loop, class Write>
   void run(const Position_rows<FT>& positions, const Loop& loop, const Write& write)
   {
     run_in_chunks(m_shape.edges().size(), loop.part(0, 4), [&](std::size_t first, std::size_t last) {
-      run_kernel(
+      run_range(
           [&](auto type, std::size_t e)
               CGAL_ANIMATED_MESH_FEATURES_INLINE_LAMBDA { measure_edge<typename decltype(type)::Pack>(positions, e); },
           first, last);
     });
     if (Terms::of_triangles)
       run_in_chunks(m_shape.triangles().size(), loop.part(1, 4), [&](std::size_t first, std::size_t last) {
-        run_kernel(
+        run_range(
             [&](auto type, std::size_t t) CGAL_ANIMATED_MESH_FEATURES_INLINE_LAMBDA {
               measure_triangle<typename decltype(type)::Pack>(positions, t);
             },
@@ -72,12 +72,12 @@ public:
       });
     if (is_fraction)
       run_in_chunks(m_shape.number_of_vertices(), loop.part(2, 4), [&](std::size_t first, std::size_t last) {
-        run_kernel([&](auto type, std::size_t v)
+        run_range([&](auto type, std::size_t v)
                        CGAL_ANIMATED_MESH_FEATURES_INLINE_LAMBDA { share_out<typename decltype(type)::Pack>(v); },
                    first, last);
       });
     run_in_chunks(m_balls.size(), loop.part(3, 4), [&](std::size_t first, std::size_t last) {
-      run_kernel(
+      run_range(
           [&](auto type, std::size_t v) CGAL_ANIMATED_MESH_FEATURES_INLINE_LAMBDA {
             typedef typename decltype(type)::Pack L;
             if constexpr (is_fraction)
@@ -104,7 +104,7 @@ private:
     }
   }
 
-  // Tells a function for which type of lanes it is called.
+  // Tells a function for which type of pack it is called.
   template <class L>
   struct Type
   {
@@ -113,7 +113,7 @@ private:
 
   // function(type, i) for i in [first, last), with the instructions that were asked for
   template <class Function>
-  struct Kernel
+  struct Range_loop
   {
     const Function& function;
     std::size_t first, last;
@@ -121,15 +121,15 @@ private:
     template <std::size_t register_bytes>
     CGAL_ANIMATED_MESH_FEATURES_INLINE void run()
     {
-      for (std::size_t i = first; i < last; ++i) function(Type<Pack<FT, lanes, register_bytes>>(), i);
+      for (std::size_t i = first; i < last; ++i) function(Type<Pack<FT, pack_size, register_bytes>>(), i);
     }
   };
 
   template <class Function>
-  void run_kernel(const Function& function, std::size_t first, std::size_t last) const
+  void run_range(const Function& function, std::size_t first, std::size_t last) const
   {
-    Kernel<Function> kernel{function, first, last};
-    run_reproducibly<FT>(m_instructions, kernel);
+    Range_loop<Function> range_loop{function, first, last};
+    run_reproducibly<FT>(m_instructions, range_loop);
   }
 
   template <class L, class Function, class... Arguments>
@@ -157,7 +157,7 @@ private:
       return m_measure.edge_denominator(angle, length);
     };
     call<L>(numerator, edge.angle, edge.length).store(to);
-    if constexpr (Terms::of_edges) call<L>(denominator, edge.angle, edge.length).store(to + lanes);
+    if constexpr (Terms::of_edges) call<L>(denominator, edge.angle, edge.length).store(to + pack_size);
   }
 
   template <class L>
@@ -165,7 +165,7 @@ private:
   {
     const L area = measured_area<L>(positions, m_shape.triangles()[t], m_scale);
     const auto denominator = [this](const auto& a) { return m_measure.triangle_denominator(a); };
-    call<L>(denominator, area).store(m_triangles.data() + lanes * t);
+    call<L>(denominator, area).store(m_triangles.data() + pack_size * t);
   }
 
   template <class L>
@@ -173,7 +173,7 @@ private:
   {
     const FT* from = m_edges.data() + edge_size * e;
     numerator = numerator + L::load(from);
-    if constexpr (Terms::of_edges) denominator = denominator + L::load(from + lanes);
+    if constexpr (Terms::of_edges) denominator = denominator + L::load(from + pack_size);
   }
 
   // With weights that are fractions of corners, the sum over a ball's edges and triangles is the sum over its vertices
@@ -185,10 +185,10 @@ private:
     for (Rest_shape::Index e : m_shape.incident_edges()[v]) add_edge(e, numerator, denominator);
     if constexpr (Terms::of_triangles)
       for (Rest_shape::Index t : m_shape.incident_triangles()[v])
-        thirds = thirds + L::load(m_triangles.data() + lanes * t);
-    FT* to = m_vertices.data() + 2 * lanes * v;
+        thirds = thirds + L::load(m_triangles.data() + pack_size * t);
+    FT* to = m_vertices.data() + 2 * pack_size * v;
     (numerator * FT(1. / 2)).store(to);
-    (denominator * FT(1. / 2) + thirds * FT(1. / 3)).store(to + lanes);
+    (denominator * FT(1. / 2) + thirds * FT(1. / 3)).store(to + pack_size);
   }
 
   template <class L>
@@ -196,9 +196,9 @@ private:
   {
     L numerator = L::all(0), denominator = L::all(0);
     for (Compressed_rows::Index w : m_balls[centre]) {
-      const FT* from = m_vertices.data() + 2 * lanes * w;
+      const FT* from = m_vertices.data() + 2 * pack_size * w;
       numerator = numerator + L::load(from);
-      denominator = denominator + L::load(from + lanes);
+      denominator = denominator + L::load(from + pack_size);
     }
     return quotient(numerator, denominator);
   }
@@ -222,7 +222,7 @@ private:
         for (std::size_t i = m_first_triangle[v]; i < m_first_triangle[v + 1]; ++i) {
           const Rest_shape::Index t = m_shape.ordered_triangles()[i];
           const Rest_shape::Triangle& c = m_shape.triangles()[t];
-          if (inside(c[1]) && inside(c[2])) denominator = denominator + L::load(m_triangles.data() + lanes * t);
+          if (inside(c[1]) && inside(c[2])) denominator = denominator + L::load(m_triangles.data() + pack_size * t);
         }
     }
     return quotient(numerator, denominator);
