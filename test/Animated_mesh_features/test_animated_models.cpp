@@ -9,6 +9,7 @@
 // with an evaluation that shares nothing with the package (see test_gltf.sh).
 
 #include "test_io_support.h"
+#include "test_recording_memory.h"
 
 #include <CGAL/Animated_mesh_features/IO/sample_clip.h>
 #include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>
@@ -197,9 +198,14 @@ void test_sampled_clip()
   std::size_t told_vertices = 0, told_frames = 0;
   IO::Clip_sampling sampling;
   sampling.frames = 101;
-  const auto observe = [&](std::size_t n, std::size_t f) { told_vertices = n, told_frames = f; };
-  const auto data = IO::sample_clip<double>(square(), sampling, "file", observe);
+  const auto memory = std::make_shared<Recording_memory>();
+  const auto choose = [&](std::size_t n, std::size_t f) {
+    told_vertices = n, told_frames = f;
+    return memory;
+  };
+  const auto data = IO::sample_clip<double>(square(), sampling, "file", choose);
   CHECK(told_vertices == 4 && told_frames == 101);
+  CHECK(data.x.memory() == memory && data.y.memory() == memory && data.z.memory() == memory);
   CHECK(data.frames == 101 && data.times.size() == 101 && data.mesh.points.size() == 4);
   CHECK((data.mesh.triangles == Triangles{{{0, 1, 2}}, {{1, 3, 2}}}));
   CHECK((data.origins.of(0) == std::vector<std::size_t>{0}) && (data.origins.of(1) == std::vector<std::size_t>{1, 3}));
@@ -230,7 +236,7 @@ void test_sampled_clip()
   };
   bool is_stopped = false;
   try {
-    IO::sample_clip<double>(square(), sampling, "file", [](std::size_t, std::size_t) { throw Stop(); });
+    IO::sample_clip<double>(square(), sampling, "file", [](std::size_t, std::size_t) -> std::shared_ptr<CGAL::Animated_mesh_features::Field_memory> { throw Stop(); });
   } catch (const Stop&) {
     is_stopped = true;
   }
@@ -405,9 +411,14 @@ void test_hdf5()
   write_dataset(file, "triples", {3, 3, 3}, std::vector<float>(27));
 
   std::size_t told_vertices = 0, told_frames = 0;
+  const auto memory = std::make_shared<Recording_memory>();
+  const auto choose = [&](std::size_t v, std::size_t f) {
+    told_vertices = v, told_frames = f;
+    return memory;
+  };
   for (const char* name : {"", "50002_punching", "group/walking"}) {
-    const auto data = IO::read_hdf5<double>(file, name, "faces",
-                                            [&](std::size_t v, std::size_t f) { told_vertices = v, told_frames = f; });
+    const auto data = IO::read_hdf5<double>(file, name, "faces", choose);
+    CHECK(data.x.memory() == memory && data.y.memory() == memory && data.z.memory() == memory);
     CHECK(told_vertices == n && told_frames == frames && data.frames == frames);
     CHECK((data.mesh.triangles == Triangles{{{0, 1, 2}}, {{2, 1, 4}}}) && data.mesh.points.size() == n);
     CHECK(data.origins.empty());

@@ -7,6 +7,8 @@
 // The detector on fields whose features are known: Gaussian blobs in space and time on surfaces of which the geodesic
 // distances are known. What it finds must lie where the blobs are, with their scales.
 
+#include <CGAL/Animated_mesh_features/Animation/rest_shape_of_mesh.h>
+#include <CGAL/Animated_mesh_features/Detection/Detection_options.h>
 #include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -34,7 +36,6 @@ namespace Amf = CGAL::Animated_mesh_features;
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef Kernel::Point_3 Point;
 typedef CGAL::Surface_mesh<Point> Mesh;
-typedef Amf::Frame_sequence<Mesh> Sequence;
 
 namespace {
 
@@ -49,12 +50,6 @@ struct Blob
 };
 
 typedef std::function<double(const Point&, const Point&)> Distance;
-
-Sequence resting(const Mesh& mesh)
-{
-  return Sequence(mesh, std::vector<std::vector<Point>>(
-                            frames, std::vector<Point>(mesh.points().begin(), mesh.points().end())), frame_duration);
-}
 
 Amf::Spatio_temporal_field<double> field_of(const Mesh& mesh, const std::vector<Blob>& blobs, const Distance& distance)
 {
@@ -87,10 +82,10 @@ template <class Options>
 void check(const std::string& name, const Mesh& mesh, const std::vector<Blob>& blobs, const Distance& distance,
            const Options& options, const Bounds& bounds)
 {
-  const Sequence sequence = resting(mesh);
-  Amf::Feature_detector<Sequence, Options> detector(sequence, options);
-  detector.set_deformation(field_of(mesh, blobs, distance));
-  std::vector<typename Amf::Feature_detector<Sequence, Options>::Feature> features;
+  const Amf::Rest_shape shape = Amf::rest_shape_of_mesh(mesh);
+  Amf::Feature_detector<double, Options> detector(shape, field_of(mesh, blobs, distance), frame_duration, options);
+  detector.selection() = options.selection;
+  std::vector<typename Amf::Feature_detector<double, Options>::Feature> features;
   detector(std::back_inserter(features));
 
   // one feature for each blob, and no other
@@ -284,10 +279,11 @@ int main()
   // A.
   auto options = scales(Amf::calibrated_options(), 0.06, 0.3);
   const double sigma = std::sqrt(0.06 * 0.3), tau = std::sqrt(0.04 * 0.3);
-  const Sequence sequence = resting(ball);
-  Amf::Feature_detector<Sequence> detector(sequence, options);
-  detector.set_deformation(field_of(ball, {{on_sphere(0.5, 0.3), 0.8, sigma, tau, 2.5}}, great_circle));
-  std::vector<Amf::Feature_detector<Sequence>::Feature> features;
+  const Amf::Rest_shape shape = Amf::rest_shape_of_mesh(ball);
+  Amf::Feature_detector<double> detector(
+      shape, field_of(ball, {{on_sphere(0.5, 0.3), 0.8, sigma, tau, 2.5}}, great_circle), frame_duration, options);
+  detector.selection() = options.selection;
+  std::vector<Amf::Feature_detector<double>::Feature> features;
   detector(std::back_inserter(features));
   CHECK(features.size() == 1);
   if (!features.empty()) CHECK_NEAR(features[0].strength() / 2.5, 0.515, 0.005);

@@ -10,8 +10,9 @@
 
 #include "test_support.h"
 
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/Animated_mesh_features/Animation/Canonical_shape.h>
 #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
+#include <CGAL/Surface_mesh.h>
 
 #include <Eigen/Geometry>
 
@@ -118,7 +119,8 @@ std::vector<std::vector<Point_3>> frames_of(const std::vector<Points>& frames)
 template <class FT = double>
 Points canonical(const Mesh& mesh, const std::vector<Points>& frames)
 {
-  return Amf::canonical_shape(Amf::Frame_sequence<Mesh, FT>(mesh, frames_of(frames), 1. / 30).flat_animation());
+  const Amf::Frame_sequence<Mesh, FT> sequence(mesh, frames_of(frames), 1. / 30);
+  return Amf::canonical_shape(sequence.rest_shape(), sequence.trajectories());
 }
 
 Points plain_mean(const std::vector<Points>& frames)
@@ -339,7 +341,7 @@ void test_generic_deformation()
   const Points other = canonical(mesh_of(s, true), frames);
   Amf::Frame_sequence<Mesh> sequence(mesh, frames_of(frames), 1. / 30);
   sequence.set_rest_frame(5);
-  sequence.set_rest_average();
+  Amf::set_canonical_rest_shape(sequence);
   bool same = true;
   for (std::size_t i = 0; i < result.size(); ++i)
     same = same && result[i] == other[i] && result[i] == sequence.rest_shape().points()[i];

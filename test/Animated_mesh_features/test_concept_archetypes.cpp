@@ -10,8 +10,8 @@
 
 #include "test_bumpy_sphere.h"
 #include "test_support.h"
+#include "test_two_stages.h"
 
-#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/detect_spatio_temporal_features.h>
 
@@ -316,7 +316,7 @@ template <class Options>
 void test_detection(const Archetype_animation& animation, const Options& options, const std::string& name)
 {
   // some archetypes count their checks, which is for one thread only
-  AMF::Feature_detector<Archetype_animation, Options, CGAL::Sequential_tag> detector(animation, options);
+  Two_stages<Archetype_animation, Options, CGAL::Sequential_tag> detector(animation, options);
   Archetype_visitor visitor;
   std::vector<AMF::Spatio_temporal_feature<Mesh::Vertex_index>> features;
   detector(std::back_inserter(features), visitor);
@@ -335,18 +335,10 @@ int main()
   add_sphere(sphere, mesh);
   const Archetype_animation animation(mesh, sphere);
 
-  const Archetype_options<Archetype_strain> options = {Archetype_strain(0),
-                                                       Archetype_curvature(0),
-                                                       Archetype_balls(0),
-                                                       Archetype_spatial_filter(0),
-                                                       Archetype_temporal_filter(0),
-                                                       Archetype_sampling(0),
-                                                       Archetype_response(0),
-                                                       Archetype_search(0),
-                                                       AMF::Triangle_weights::REST_AREA,
-                                                       0,
-                                                       AMF::default_curvature_weight,
-                                                       AMF::Feature_selection()};
+  typedef Archetype_options<Archetype_strain> Options;
+  const Options options(Options::Measurement{Archetype_strain(0), Archetype_curvature(0), Archetype_balls(0)},
+                        Options::Search{Archetype_spatial_filter(0), Archetype_temporal_filter(0),
+                                        Archetype_sampling(0), Archetype_response(0), Archetype_search(0)});
   test_detection(animation, options, "archetypes");
   test_detection(animation, options.with_strain(Archetype_vectorized_strain(0)), "vectorized strain");
   test_detection(animation,

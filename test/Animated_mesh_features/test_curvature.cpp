@@ -14,6 +14,7 @@
 #include <CGAL/Animated_mesh_features/Deformation/curvature.h>
 #include <CGAL/Animated_mesh_features/Deformation/deformation.h>
 #include <CGAL/Animated_mesh_features/Deformation/strain.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/geodesic_balls.h>
 
 #include <CGAL/Kernel/global_functions.h>
 
@@ -36,7 +37,7 @@ Amf::Frame_sequence<Mesh, FT> sequence_of(const Mesh& mesh, const Points& rest, 
 template <class Sequence>
 Amf::Compressed_rows dijkstra_balls(const Sequence& sequence, double radius)
 {
-  return Amf::geodesic_balls(sequence, radius, Amf::Dijkstra_geodesic_balls());
+  return Amf::geodesic_balls(sequence.rest_shape(), radius, Amf::Dijkstra_geodesic_balls());
 }
 
 Points scaled(const Points& points, double factor)
@@ -432,7 +433,7 @@ void test_numbers_of_frames()
   for (std::size_t n = 3; n <= 20; ++n) {
     const std::vector<Points> some(w.frames.begin(), w.frames.begin() + std::ptrdiff_t(n));
     const auto sequence = sequence_of<FT>(mesh, w.rest.points, some);
-    const auto one = Amf::curvature_change(sequence, balls);
+    const auto one = Amf::curvature_change<CGAL::Sequential_tag>(sequence, balls);
     const auto many = Amf::curvature_change<CGAL::Parallel_tag>(sequence, balls);
     bool same = one.number_of_frames() == n;
     for (std::size_t v = 0; v < w.rest.points.size(); ++v)
@@ -441,11 +442,11 @@ void test_numbers_of_frames()
   }
 }
 
-// atan2 in lanes, at all angles and scales.
+// atan2 in packs, at all angles and scales.
 template <class FT>
 struct Angle_loop
 {
-  static constexpr std::size_t lanes = 64 / sizeof(FT);
+  static constexpr std::size_t width = 64 / sizeof(FT);
   const FT *y, *x;
   FT* angles;
   std::size_t n;
@@ -453,8 +454,8 @@ struct Angle_loop
   template <std::size_t register_bytes>
   CGAL_ANIMATED_MESH_FEATURES_INLINE void run()
   {
-    typedef Amf::internal::Pack<FT, lanes, register_bytes> L;
-    for (std::size_t i = 0; i < n; i += lanes) Amf::internal::signed_angle(L::load(y + i), L::load(x + i)).store(angles + i);
+    typedef Amf::internal::Pack<FT, width, register_bytes> P;
+    for (std::size_t i = 0; i < n; i += width) Amf::internal::signed_angle(P::load(y + i), P::load(x + i)).store(angles + i);
   }
 };
 
@@ -507,12 +508,12 @@ void test_instructions()
   Amf::Default_visitor visitor;
   const Amf::Task_loop<CGAL::Sequential_tag, Amf::Default_visitor> loop(visitor, Amf::Stage::CURVATURE);
   const auto change = [&](const auto& measure, Ai::Instruction_set instructions) {
-    return Ai::curvature_change_rows(sequence.flat_animation(), balls, measure, loop, instructions);
+    return Ai::curvature_change_rows(sequence.rest_shape(), sequence.trajectories(), balls, measure, loop, instructions);
   };
   const auto expected = change(Measure(), Ai::Instruction_set::BASELINE);
   const auto strain = Amf::strain(sequence);
   auto sum = strain;
-  Ai::add_curvature_change(sequence.flat_animation(), balls, Measure(), 7.3, loop, sum);
+  Ai::add_curvature_change(sequence.rest_shape(), sequence.trajectories(), balls, Measure(), 7.3, loop, sum);
   CHECK(largest_difference(expected, change(Measure(), Ai::widest_instruction_set())) == 0);
   CHECK(largest_difference(expected, change(With_arrays<Measure>(), Ai::widest_instruction_set())) == 0);
   CHECK(largest_difference(sum, Amf::deformation(strain, expected, 7.3)) == 0);

@@ -9,10 +9,11 @@
 
 #include "test_bumpy_sphere.h"
 #include "test_support.h"
+#include "test_two_stages.h"
 
+#include <CGAL/Animated_mesh_features/Animation/Canonical_shape.h>
 #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/detect_spatio_temporal_features.h>
 
 #include <algorithm>
 #include <array>
@@ -101,10 +102,10 @@ void test_bad_connectivity(const Bumpy_sphere& sphere)
 
 void test_bad_frames(const Bumpy_sphere& sphere, const Mesh& mesh)
 {
-  const double clock = sphere.frame_duration;
+  const double dt = sphere.frame_duration;
   Frames frames = sphere.frames;
   frames[5].pop_back();
-  CHECK_THROWS(AMF::Input_error, Sequence(mesh, frames, clock), "frame 5 has 641 points, the mesh has 642 vertices");
+  CHECK_THROWS(AMF::Input_error, Sequence(mesh, frames, dt), "frame 5 has 641 points, the mesh has 642 vertices");
   for (double bad : {infinity, -infinity, not_a_number})
     for (int i = 0; i < 3; ++i) {
       double p[3] = {1, 2, 3};
@@ -112,24 +113,24 @@ void test_bad_frames(const Bumpy_sphere& sphere, const Mesh& mesh)
       frames = sphere.frames;
       frames[7][123] = Point_3(p[0], p[1], p[2]);
       const std::string message = "frame 7: the position of vertex 123 is not finite";
-      CHECK_THROWS(AMF::Input_error, Sequence(mesh, frames, clock), message);
+      CHECK_THROWS(AMF::Input_error, Sequence(mesh, frames, dt), message);
       CHECK_THROWS(AMF::Input_error,
-                   Sequence(mesh, coordinate(frames, 0), coordinate(frames, 1), coordinate(frames, 2), clock), message);
+                   Sequence(mesh, coordinate(frames, 0), coordinate(frames, 1), coordinate(frames, 2), dt), message);
     }
   frames = sphere.frames;
   frames[7][123] = Point_3(1e300, 0, 0); // too large a number for float
-  CHECK(Sequence(mesh, frames, clock).number_of_frames() == 24);
-  CHECK_THROWS(AMF::Input_error, (AMF::Frame_sequence<Mesh, float>(mesh, frames, clock)), "vertex 123 is not finite");
+  CHECK(Sequence(mesh, frames, dt).number_of_frames() == 24);
+  CHECK_THROWS(AMF::Input_error, (AMF::Frame_sequence<Mesh, float>(mesh, frames, dt)), "vertex 123 is not finite");
 
   const Frames two(sphere.frames.begin(), sphere.frames.begin() + 2);
-  CHECK_THROWS(AMF::Input_error, Sequence(mesh, two, clock), "2 frame(s); at least 3");
-  CHECK_THROWS(AMF::Input_error, Sequence(mesh, Frames(), clock), "0 frame(s); at least 3");
+  CHECK_THROWS(AMF::Input_error, Sequence(mesh, two, dt), "2 frame(s); at least 3");
+  CHECK_THROWS(AMF::Input_error, Sequence(mesh, Frames(), dt), "0 frame(s); at least 3");
   for (double bad : {0., -1., infinity, not_a_number})
     CHECK_THROWS(AMF::Input_error, Sequence(mesh, sphere.frames, bad), "must be positive");
 
   const AMF::Spatio_temporal_field<double> x = coordinate(sphere.frames, 0), shorter(642, 23), smaller(641, 24);
-  CHECK_THROWS(AMF::Input_error, Sequence(mesh, x, shorter, x, clock), "642 x 23");
-  CHECK_THROWS(AMF::Input_error, Sequence(mesh, x, x, smaller, clock), "641 x 24, the mesh has 642 vertices");
+  CHECK_THROWS(AMF::Input_error, Sequence(mesh, x, shorter, x, dt), "642 x 23");
+  CHECK_THROWS(AMF::Input_error, Sequence(mesh, x, x, smaller, dt), "641 x 24, the mesh has 642 vertices");
 }
 
 void test_rest_shape(const Bumpy_sphere& sphere, const Mesh& mesh)
@@ -163,8 +164,8 @@ void test_rest_shape(const Bumpy_sphere& sphere, const Mesh& mesh)
   CHECK_NEAR(sequence.rest_shape().mean_edge_length(), 1.25 * edge, 1e-14);
   CHECK_THROWS(AMF::Input_error, sequence.set_rest_shape(scaled(sphere.rest, 1.5)), "another unit");
 
-  // where nothing moves, the average is what is there
-  sequence.set_rest_average();
+  // where nothing moves, the canonical shape is what is there
+  AMF::set_canonical_rest_shape(sequence);
   double largest = 0;
   for (std::size_t v = 0; v < sphere.rest.size(); ++v)
     largest = (std::max)(largest, CGAL::squared_distance(
@@ -179,13 +180,13 @@ struct Unusual_animation
   Mesh mesh;
   Frames frames;
   double frame_duration;
-  std::size_t first_behind_sphere;
+  std::size_t first_after_sphere;
 
   explicit Unusual_animation(const Bumpy_sphere& sphere)
     : frame_duration(sphere.frame_duration)
   {
     add_sphere(sphere, mesh);
-    first_behind_sphere = mesh.number_of_vertices();
+    first_after_sphere = mesh.number_of_vertices();
     add_sheet();
     mesh.add_vertex(Point_3(0, 3, 0));
     mesh.add_vertex(Point_3(0, 4, 0));
@@ -193,7 +194,7 @@ struct Unusual_animation
     add_triangle(Point_3(0, 6, 0), Point_3(0, 6, 0), Point_3(0, 6, 0));
     for (std::size_t f = 0; f < sphere.frames.size(); ++f) {
       std::vector<Point_3> points = sphere.frames[f];
-      for (std::size_t v = first_behind_sphere; v < mesh.number_of_vertices(); ++v) {
+      for (std::size_t v = first_after_sphere; v < mesh.number_of_vertices(); ++v) {
         const Point_3& p = mesh.point(Mesh::Vertex_index(unsigned(v)));
         const double wave = 0.2 * std::sin(p.x() + 2 * p.y()) * std::exp(-std::pow(double(f) - 9.5, 2) / 6);
         points.emplace_back(p.x(), p.y(), p.z() + wave);
@@ -246,11 +247,12 @@ void test_unusual(const Bumpy_sphere& sphere)
 
   AMF::Calibrated_options options;
   options.selection.relative_threshold = 0;
-  AMF::Feature_detector<Sequence> detector(sequence, options);
-  std::vector<AMF::Feature_detector<Sequence>::Feature> features;
+  Two_stages<Sequence> detector(sequence, options);
+  std::vector<Two_stages<Sequence>::Feature> features;
   detector(std::back_inserter(features));
+  auto& measured = detector.measurement();
   bool finite = true;
-  for (const auto* field : {&detector.strain(), &detector.curvature_change(), &detector.deformation()})
+  for (const auto* field : {&measured.strain(), &measured.curvature_change(), &measured.deformation()})
     for (std::size_t v = 0; v < field->number_of_rows(); ++v)
       for (std::size_t f = 0; f < field->number_of_frames(); ++f) finite = finite && std::isfinite((*field)(v, f));
   CHECK(finite);
@@ -261,8 +263,8 @@ void test_unusual(const Bumpy_sphere& sphere)
     for (int i = 0; i < 3; ++i) sum += f.position[i] + f.rest_position[i] + f.barycentric_coordinates[i];
     CHECK(std::isfinite(sum) && f.sigma > 0 && f.tau > 0 && f.response < 0);
     CHECK(f.vertex_index != isolated && f.vertex_index != isolated + 1);
-    on_sphere += f.vertex_index < animation.first_behind_sphere;
-    on_sheet += f.vertex_index >= animation.first_behind_sphere;
+    on_sphere += f.vertex_index < animation.first_after_sphere;
+    on_sheet += f.vertex_index >= animation.first_after_sphere;
   }
   std::cout << on_sphere << " features on the sphere, " << on_sheet << " elsewhere" << std::endl;
   CHECK(on_sphere >= sphere.bumps.size());
@@ -373,7 +375,7 @@ void test_rows()
       for (std::size_t v = 0; v < n; ++v)
         for (std::size_t f = 0; f < frames; ++f)
           for (std::size_t c = 0; c < 3; ++c) {
-            const auto& x = c == 0 ? s->flat_animation().x : c == 1 ? s->flat_animation().y : s->flat_animation().z;
+            const auto& x = c == 0 ? s->trajectories().x : c == 1 ? s->trajectories().y : s->trajectories().z;
             good = good && x(v, f) == FT(value(f, v, c));
           }
     CHECK(good);

@@ -381,10 +381,10 @@ void test_instructions(double difference_of_arrays)
   Amf::Default_visitor visitor;
   const Amf::Task_loop<CGAL::Sequential_tag, Amf::Default_visitor> loop(visitor, Amf::Stage::STRAIN);
   const auto strains = [&](const auto& measure, Ai::Instruction_set instructions) {
-    return Ai::triangle_strain_rows(sequence.flat_animation(), measure, loop, instructions);
+    return Ai::triangle_strain_rows(sequence.rest_shape(), sequence.trajectories(), measure, loop, instructions);
   };
   const auto means = [&](Ai::Instruction_set instructions) {
-    return Ai::vertex_strain_rows(sequence.flat_animation(), Measure(), Amf::Triangle_weights::REST_AREA, loop,
+    return Ai::vertex_strain_rows(sequence.rest_shape(), sequence.trajectories(), Measure(), Amf::Triangle_weights::REST_AREA, loop,
                                   instructions);
   };
   const auto baseline = strains(Measure(), Ai::Instruction_set::BASELINE);
@@ -427,11 +427,11 @@ void test_numbers_of_frames()
   for (std::size_t n = 3; n <= 20; ++n) {
     const std::vector<Points> some(w.frames.begin(), w.frames.begin() + std::ptrdiff_t(n));
     const auto sequence = sequence_of<FT>(mesh, w.rest.points, some);
-    const auto field = Amf::strain(sequence);
+    const auto field = Amf::strain<CGAL::Sequential_tag>(sequence);
     CHECK(field.number_of_frames() == n);
     CHECK(same_bits(field, all, n));
     CHECK(same_bits(field, Amf::strain<CGAL::Parallel_tag>(sequence), n));
-    CHECK(same_bits(Amf::triangle_strain(sequence), Amf::triangle_strain<CGAL::Parallel_tag>(sequence), n));
+    CHECK(same_bits(Amf::triangle_strain<CGAL::Sequential_tag>(sequence), Amf::triangle_strain<CGAL::Parallel_tag>(sequence), n));
   }
 }
 

@@ -16,6 +16,7 @@
 #include <CGAL/Animated_mesh_features/Animation/internal/check_trajectories.h>
 #include <CGAL/Animated_mesh_features/Animation/Frame_batch.h>
 #include <CGAL/Animated_mesh_features/Animation/internal/copy_points.h>
+#include <CGAL/Animated_mesh_features/Animation/internal/rest_points.h>
 #include <CGAL/Animated_mesh_features/Animation/internal/rest_unit.h>
 
 #include <CGAL/Dynamic_property_map.h>
@@ -98,8 +99,8 @@ public:
     friend reference get(const Point_map& map, const key_type& v)
     {
       const std::size_t i = get(map.m_index, v);
-      const Rest_shape::Point p = map.m_frame == rest ? map.m_sequence->m_rest.points()[i]
-                                                      : map.m_sequence->m_trajectories.point(i, map.m_frame);
+      const Rest_shape::Point p = map.m_frame == rest ? map.m_sequence->rest_shape().points()[i]
+                                                      : map.m_sequence->trajectories().point(i, map.m_frame);
       return Point_3(FT(p[0]), FT(p[1]), FT(p[2]));
     }
 
@@ -205,11 +206,7 @@ public:
   template <class Points>
   double set_rest_shape(const Points& points, Rest_unit unit = Rest_unit::CHECK)
   {
-    std::vector<double> xyz(3 * m_vertices.size());
-    internal::copy_points(points, m_vertices, "the rest shape", xyz.data());
-    std::vector<Rest_shape::Point> rest(m_vertices.size());
-    for (std::size_t v = 0; v < rest.size(); ++v)
-      rest[v] = Rest_shape::Point(xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]);
+    std::vector<Rest_shape::Point> rest = internal::rest_points(points, m_vertices, "the rest shape");
     double factor = 1;
     if (unit != Rest_unit::KEEP) {
       const double ratio = internal::median_edge_ratio(m_rest, rest, m_trajectories);

@@ -20,7 +20,22 @@ namespace Animated_mesh_features {
 
 namespace internal {
 
-// Throws unless a field that comes from outside has the animation's shape and finite values.
+// Throws unless a field that comes from outside has a row for each vertex and finite values.
+template <class FT>
+void check_field(const Spatio_temporal_field<FT>& field, std::size_t number_of_vertices)
+{
+  if (field.number_of_rows() != number_of_vertices)
+    throw Option_error("the field has " + std::to_string(field.number_of_rows()) + " rows, the rest shape " +
+                       std::to_string(number_of_vertices) + " vertices");
+  for (std::size_t v = 0; v < number_of_vertices; ++v) {
+    if (all_finite(field.row(v), field.number_of_frames())) continue;
+    std::size_t f = 0;
+    while (std::isfinite(field(v, f))) ++f;
+    throw Input_error("frame " + std::to_string(f) + ": the field is not finite at vertex " + std::to_string(v));
+  }
+}
+
+// The same for a field of an animation, whose frames are known, too.
 template <class FT>
 void check_field(const Spatio_temporal_field<FT>& field, std::size_t number_of_vertices, std::size_t number_of_frames)
 {
@@ -28,12 +43,7 @@ void check_field(const Spatio_temporal_field<FT>& field, std::size_t number_of_v
     throw Option_error("the field is " + std::to_string(field.number_of_rows()) + " x " +
                        std::to_string(field.number_of_frames()) + ", the animation " +
                        std::to_string(number_of_vertices) + " x " + std::to_string(number_of_frames));
-  for (std::size_t v = 0; v < number_of_vertices; ++v) {
-    if (all_finite(field.row(v), number_of_frames)) continue;
-    std::size_t f = 0;
-    while (std::isfinite(field(v, f))) ++f;
-    throw Input_error("frame " + std::to_string(f) + ": the field is not finite at vertex " + std::to_string(v));
-  }
+  check_field(field, number_of_vertices);
 }
 
 } // namespace internal

@@ -23,7 +23,7 @@ inline void check_timing(std::size_t number_of_frames, double frame_duration)
 {
   // a feature has a frame before and a frame after it
   if (number_of_frames < 3)
-    throw Input_error("the animation has " + std::to_string(number_of_frames) +
+    throw Input_error("there are " + std::to_string(number_of_frames) +
                       " frame(s); at least 3 are needed, since a feature has a frame before and one after it");
   if (!(frame_duration > 0) || !std::isfinite(frame_duration))
     throw Input_error("the time between frames is " + std::to_string(frame_duration) + " s; it must be positive");

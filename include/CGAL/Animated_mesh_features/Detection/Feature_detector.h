@@ -77,7 +77,7 @@ public:
   {
     if (!(noise >= 0)) throw Option_error("the noise of a field must not be negative");
     internal::check_timing(m_field.number_of_frames(), frame_duration);
-    internal::check_field(m_field, shape.number_of_vertices(), m_field.number_of_frames());
+    internal::check_field(m_field, shape.number_of_vertices());
   }
 
   /// the field in which features are found.

@@ -111,7 +111,7 @@ Response_extrema find_response_extrema(const Rest_shape& shape,
                                        Visitor& visitor)
 {
   typedef typename Options::SpaceTimeResponse Response;
-  internal::check_field(field, shape.number_of_vertices(), field.number_of_frames());
+  internal::check_field(field, shape.number_of_vertices());
   const std::size_t frames = field.number_of_frames();
   const Scale_levels levels =
       options.sampling(shape, frames, frame_duration, options.spatial_filter, options.temporal_filter);
