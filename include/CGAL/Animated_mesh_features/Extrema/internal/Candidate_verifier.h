@@ -33,11 +33,11 @@ class Candidate_verifier
 
 public:
   Candidate_verifier(const Rest_shape& shape,
-                    const Level_batch& batch,
-                    const Level_weights& weights,
-                    const Temporal_matrices<TemporalFilter>& matrices,
-                    const Search& search,
-                    std::size_t number_of_frames)
+                     const Level_batch& batch,
+                     const Level_weights& weights,
+                     const Temporal_matrices<TemporalFilter>& matrices,
+                     const Search& search,
+                     std::size_t number_of_frames)
     : m_shape(shape)
     , m_batch(batch)
     , m_weights(weights)
@@ -52,7 +52,7 @@ public:
   {
     const double centre = response(c.vertex, c.k, c.l, c.frame);
     if (!(std::abs(centre) > m_weights.floor(c.k, c.l))) return false;
-    // Neighbours first: a candidate has passed the test at its vertex already, if with less precision.
+    // Neighbours first: a candidate has passed the test at its vertex already, though with less precision.
     extremum.ring.clear();
     for (Rest_shape::Index w : m_shape.neighbours()[c.vertex]) {
       const double same = response(w, c.k, c.l, c.frame);
@@ -90,7 +90,7 @@ private:
       space = space + (Block::load(upper + j) - Block::load(lower + j)) * Block::load(now + j);
       time = time + Block::load(same + j) * (Block::load(late + j) - Block::load(early + j));
     }
-    double space_rest = 0, time_rest = 0; // what is behind a row's last frame is nobody's
+    double space_rest = 0, time_rest = 0; // what follows a row's last frame is nobody's
     for (; j < m_frames; ++j) {
       space_rest += (upper[j] - lower[j]) * now[j];
       time_rest += same[j] * (late[j] - early[j]);

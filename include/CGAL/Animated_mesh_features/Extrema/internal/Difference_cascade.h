@@ -19,17 +19,17 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// For a temporal filter whose steps are all the same, T_l = T^l T_0: the differences first, in double, and then their
-// chains in single precision, D_kl = a T^l p_k + b T^l q_k. Nothing cancels, however close levels are.
+// For a temporal filter whose steps are all the same, T_l = T^l T_0: the differences first, in double; then they go
+// through the cascade in single precision, D_kl = a T^l p_k + b T^l q_k. Nothing cancels, however close levels are.
 template <class TemporalFilter>
 class Difference_cascade
 {
 public:
   typedef float Scalar;
   typedef Level_cascade<double, TemporalFilter> Precise;
-  static constexpr std::size_t lanes = 16;
+  static constexpr std::size_t pack_size = 16;
 
-  static std::size_t largest_batch(std::size_t, std::size_t) { return lanes - 2; }
+  static std::size_t largest_batch(std::size_t, std::size_t) { return pack_size - 2; }
 
   explicit Difference_cascade(const TemporalFilter& temporal) : m_temporal(temporal) {}
 
@@ -38,14 +38,14 @@ public:
   template <std::size_t bytes>
   class Rows
   {
-    typedef Pack<float, lanes, bytes> L;
-    // the levels from which the lanes' differences are made
-    static constexpr std::size_t most_levels = lanes + 8;
+    typedef Pack<float, pack_size, bytes> Response_pack;
+    // the levels of whose differences a pack of responses is made
+    static constexpr std::size_t most_levels = pack_size + 8;
     typedef Pack<double, most_levels, bytes> Level_pack;
 
   public:
-    Rows(const Difference_cascade& chains, const Level_batch& batch, std::size_t number_of_frames)
-      : m_temporal(chains.m_temporal)
+    Rows(const Difference_cascade& cascade, const Level_batch& batch, std::size_t number_of_frames)
+      : m_temporal(cascade.m_temporal)
       , m_batch(batch)
       , m_frames(number_of_frames)
       , m_levels(batch.below + batch.above + 1)
@@ -65,13 +65,13 @@ public:
         return reinterpret_cast<const double*>(m_levels[l].data() + f);
       };
       for (std::size_t f = 0; f < m_frames; ++f) {
-        float space[lanes], time[lanes];
+        float space[pack_size], time[pack_size];
         const double *same = numbers(q, f), *late = numbers(q + p, f), *early = numbers(0, f);
-        for (std::size_t i = 0; i < lanes; ++i) {
+        for (std::size_t i = 0; i < pack_size; ++i) {
           space[i] = float(same[i + q + p] - same[i]);
           time[i] = float(late[i + q] - early[i + q]);
         }
-        m_row[f] = {L::load(space), L::load(time)};
+        m_row[f] = {Response_pack::load(space), Response_pack::load(time)};
       }
       m_level = q;
       measure();
@@ -84,17 +84,18 @@ public:
         m_temporal(m_level + 1, m_row.data(), m_next.data());
         m_row.swap(m_next);
       }
-      // the chains decay, and their errors with them
+      // the differences decay, and their errors with them
       if (l % 32 == 0) measure();
     }
 
-    CGAL_ANIMATED_MESH_FEATURES_INLINE L response(const L& a, const L& b, std::size_t f) const
+    CGAL_ANIMATED_MESH_FEATURES_INLINE Response_pack response(const Response_pack& a, const Response_pack& b,
+                                                              std::size_t f) const
     {
       return a * m_row[f].p + b * m_row[f].q;
     }
 
     // of two responses
-    CGAL_ANIMATED_MESH_FEATURES_INLINE L slack(const L& a, const L& b) const
+    CGAL_ANIMATED_MESH_FEATURES_INLINE Response_pack slack(const Response_pack& a, const Response_pack& b) const
     {
       return (absolute(a) * m_bound.p + absolute(b) * m_bound.q) * (2 * smoothing_error<float>());
     }
@@ -102,7 +103,7 @@ public:
   private:
     void measure()
     {
-      L p = L::all(0), q = p;
+      Response_pack p = Response_pack::all(0), q = p;
       for (std::size_t f = 0; f < m_frames; ++f) {
         p = larger(p, absolute(m_row[f].p));
         q = larger(q, absolute(m_row[f].q));
@@ -115,9 +116,9 @@ public:
     std::size_t m_frames;
     std::vector<Level_pack> m_loaded;
     std::vector<std::vector<Level_pack>> m_levels; // the first time levels
-    std::vector<Pack_pair<L>> m_row, m_next;
+    std::vector<Pack_pair<Response_pack>> m_row, m_next;
     std::size_t m_level = 0; // of m_row
-    Pack_pair<L> m_bound;
+    Pack_pair<Response_pack> m_bound;
   };
 
 private:

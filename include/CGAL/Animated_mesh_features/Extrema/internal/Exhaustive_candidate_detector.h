@@ -19,18 +19,17 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// Proposes the samples of a vertex that pass the search's own test at the vertex: for any temporal filter and any
-// search.
+// Finds the samples of a vertex that pass the search's own test at the vertex, for any temporal filter and any search.
 template <class TemporalFilter, class Search>
 class Exhaustive_candidate_detector
 {
 public:
   Exhaustive_candidate_detector(const Level_batch& batch,
-                      const Level_weights& weights,
-                      std::size_t number_of_frames,
-                      std::size_t time_levels,
-                      const TemporalFilter& temporal,
-                      const Search& search)
+                                const Level_weights& weights,
+                                std::size_t number_of_frames,
+                                std::size_t time_levels,
+                                const TemporalFilter& temporal,
+                                const Search& search)
     : m_batch(batch)
     , m_weights(weights)
     , m_frames(number_of_frames)

@@ -20,16 +20,16 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// The share of the largest value in a chain of smoothings by which a result may differ from the exact one: each smoothing
-// is an average with some roundings, most of which the following ones average away.
+// The share of the largest value in a cascade of smoothings by which a result may differ from the exact one: each
+// smoothing is an average with some roundings, most of which the following ones average away.
 template <class T>
 constexpr T smoothing_error()
 {
   return 16 * std::numeric_limits<T>::epsilon();
 }
 
-// A chain U_l = T_l d for each space level, of which D_kl = a (U_{k+p,l} - U_{k-q,l}) + b (U_{k,l+p} - U_{k,l-q}): for
-// levels so far from one another that their differences keep their digits.
+// A cascade U_l = T_l d for each space level, D_kl = a (U_{k+p,l} - U_{k-q,l}) + b (U_{k,l+p} - U_{k,l-q}): for levels
+// so far from one another that their differences keep their digits.
 template <class T, class TemporalFilter>
 class Level_cascade
 {
@@ -37,13 +37,14 @@ public:
   typedef T Scalar;
   static constexpr bool is_single = sizeof(T) == sizeof(float);
   typedef std::conditional_t<is_single, Level_cascade<double, TemporalFilter>, void> Precise;
-  static constexpr std::size_t lanes = 16;
-  // Levels. In double precision those that all lanes need, which makes it the precise variant of other chains.
-  static constexpr std::size_t levels = is_single ? lanes : lanes + 8;
+  static constexpr std::size_t pack_size = 16;
+  // Levels in a pack. In double precision those that all responses need, which makes it the precise variant of other
+  // cascades.
+  static constexpr std::size_t levels = is_single ? pack_size : pack_size + 8;
 
   static std::size_t largest_batch(std::size_t below, std::size_t above)
   {
-    return is_single ? lanes - 2 - below - above : lanes - 2;
+    return is_single ? pack_size - 2 - below - above : pack_size - 2;
   }
 
   explicit Level_cascade(const TemporalFilter& temporal) : m_temporal(temporal) {}
@@ -53,17 +54,17 @@ public:
   template <std::size_t bytes>
   class Rows
   {
-    typedef Pack<T, lanes, bytes> L;
+    typedef Pack<T, pack_size, bytes> Response_pack;
     typedef Pack<T, levels, bytes> Level_pack;
 
   public:
-    Rows(const Level_cascade& chains, const Level_batch& batch, std::size_t number_of_frames)
-      : m_temporal(chains.m_temporal)
+    Rows(const Level_cascade& cascade, const Level_batch& batch, std::size_t number_of_frames)
+      : m_temporal(cascade.m_temporal)
       , m_batch(batch)
       , m_frames(number_of_frames)
       , m_cascade(batch.below + batch.above + 1)
     {
-      // a frame more, since lanes are loaded from beyond the last
+      // a frame more, since packs are loaded from beyond the last
       for (std::vector<Level_pack>& row : m_cascade) row.assign(number_of_frames + 1, Level_pack::all(0));
     }
 
@@ -74,7 +75,7 @@ public:
       for (const Level_pack& frame : m_loaded) bound = larger(bound, absolute(frame));
       T numbers[levels];
       bound.store(numbers);
-      m_bound = L::load(numbers);
+      m_bound = Response_pack::load(numbers);
       m_smoothed = 0;
     }
 
@@ -88,16 +89,19 @@ public:
       m_early = reinterpret_cast<const T*>(row(l - m_batch.below));
     }
 
-    CGAL_ANIMATED_MESH_FEATURES_INLINE L response(const L& a, const L& b, std::size_t f) const
+    CGAL_ANIMATED_MESH_FEATURES_INLINE Response_pack response(const Response_pack& a, const Response_pack& b,
+                                                              std::size_t f) const
     {
       const std::size_t i = f * levels;
-      const L space = L::load(m_now + i + m_batch.below + m_batch.above) - L::load(m_now + i);
-      const L time = L::load(m_late + i + m_batch.below) - L::load(m_early + i + m_batch.below);
+      const Response_pack space =
+          Response_pack::load(m_now + i + m_batch.below + m_batch.above) - Response_pack::load(m_now + i);
+      const Response_pack time =
+          Response_pack::load(m_late + i + m_batch.below) - Response_pack::load(m_early + i + m_batch.below);
       return a * space + b * time;
     }
 
-    // of two responses: each is made of two differences, of lanes that are neighbours
-    CGAL_ANIMATED_MESH_FEATURES_INLINE L slack(const L& a, const L& b) const
+    // of two responses, each of which is made of two differences, and which are neighbours in the pack
+    CGAL_ANIMATED_MESH_FEATURES_INLINE Response_pack slack(const Response_pack& a, const Response_pack& b) const
     {
       return (absolute(a) + absolute(b)) * m_bound * (4 * smoothing_error<T>());
     }
@@ -110,8 +114,8 @@ public:
     std::size_t m_frames;
     std::vector<Level_pack> m_loaded;
     std::vector<std::vector<Level_pack>> m_cascade; // time level l in [l % size]
-    std::size_t m_smoothed = 0;          // time levels made so far
-    L m_bound;
+    std::size_t m_smoothed = 0; // time levels made so far
+    Response_pack m_bound;
     const T *m_now = nullptr, *m_late = nullptr, *m_early = nullptr;
   };
 

@@ -18,24 +18,25 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// The responses of one vertex at three successive time levels, a lane for each space level, and the search for minima
-// among them. Time levels are pushed in ascending order; a level is searched when the next one has come.
+// The responses of one vertex at three successive time levels, in packs with an entry for each space level, and the
+// search for minima among them. Time levels are pushed in ascending order; a level is searched when the next one has
+// come.
 //
 // Most of the work is rejecting: of all samples only the minima over time, a few frames of a level, are compared with
 // their neighbours in scale.
-template <class L>
+template <class Response_pack>
 class Packed_responses
 {
 public:
-  typedef typename L::Scalar T;
+  typedef typename Response_pack::Scalar T;
 
   explicit Packed_responses(std::size_t number_of_frames)
     : m_frames(number_of_frames)
     , m_minima((number_of_frames - 2 + History::size - 1) / History::size)
     , m_new_minima(m_minima.size())
-    , m_slacks(3, L::all(0))
+    , m_slacks(3, Response_pack::all(0))
   {
-    for (std::vector<L>& level : m_levels) level.assign(number_of_frames, L::all(0));
+    for (std::vector<Response_pack>& level : m_levels) level.assign(number_of_frames, Response_pack::all(0));
   }
 
   // What comes next is time level `first` of another vertex.
@@ -43,13 +44,14 @@ public:
 
   // Pushes a level: response(f) for each frame, of which two may differ by `slack` more than they seem to.
   template <class Response>
-  CGAL_ANIMATED_MESH_FEATURES_INLINE void push(const L& slack, const L& floor, const Response& response)
+  CGAL_ANIMATED_MESH_FEATURES_INLINE void push(const Response_pack& slack, const Response_pack& floor,
+                                               const Response& response)
   {
-    L* const d = row(m_next);
+    Response_pack* const d = row(m_next);
     m_slacks[m_next % 3] = slack;
     m_minima.swap(m_new_minima);
-    const L bound = slack - floor;
-    L before = response(0), now = response(1);
+    const Response_pack bound = slack - floor;
+    Response_pack before = response(0), now = response(1);
     d[0] = before;
     d[1] = now;
     // Whether frame f has a minimum over time is known when f + 1 has come, and written down without a question: which
@@ -58,9 +60,9 @@ public:
       const std::size_t first = first_frame(part), frames = number_of_frames(part);
       History history;
       const auto step = [&](std::size_t f) CGAL_ANIMATED_MESH_FEATURES_INLINE_LAMBDA {
-        const L next = response(f + 1);
+        const Response_pack next = response(f + 1);
         d[f + 1] = next;
-        const L lowered = now - slack;
+        const Response_pack lowered = now - slack;
         history.push(negative(lowered - before) & negative(lowered - next) & negative(now - bound));
         before = now;
         now = next;
@@ -80,12 +82,12 @@ public:
   bool can_search() const { return m_next >= m_first + 3; }
   std::size_t searched_level() const { return m_next - 2; }
 
-  // found(frame, lane) for each minimum of that level in lanes [1, last_lane).
+  // found(frame, entry) for each minimum of that level among the entries [1, last_entry) of the packs.
   template <class Found>
-  CGAL_ANIMATED_MESH_FEATURES_INLINE void search(std::size_t last_lane, const Found& found) const
+  CGAL_ANIMATED_MESH_FEATURES_INLINE void search(std::size_t last_entry, const Found& found) const
   {
     const std::size_t l = searched_level();
-    const L slack = m_slacks[l % 3];
+    const Response_pack slack = m_slacks[l % 3];
     for (std::size_t part = 0; part < m_minima.size(); ++part) {
       const History& minima = m_minima[part];
       const std::size_t unused = History::size - number_of_frames(part); // bits, the lowest
@@ -94,25 +96,25 @@ public:
         if ((any & 1) == 0) continue;
         const std::size_t f = first_frame(part) + i;
         const T *below = numbers(l - 1, f), *same = numbers(l, f), *above = numbers(l + 1, f);
-        const L lowered = L::load(same) - slack;
+        const Response_pack lowered = Response_pack::load(same) - slack;
         const auto lower_than = [&](const T* other) CGAL_ANIMATED_MESH_FEATURES_INLINE_LAMBDA {
-          return negative(lowered - L::load(other));
+          return negative(lowered - Response_pack::load(other));
         };
         const History found_here =
             minima.that_have(unused + i, lower_than(same - 1) & lower_than(same + 1) & lower_than(below) &
                                              lower_than(above) & lower_than(below - 1) & lower_than(below + 1) &
                                              lower_than(above - 1) & lower_than(above + 1));
         if (found_here.any() == 0) continue;
-        typename History::Integer is_minimum[L::size];
+        typename History::Integer is_minimum[Response_pack::size];
         found_here.store(is_minimum);
-        for (std::size_t k = 1; k < last_lane; ++k)
+        for (std::size_t k = 1; k < last_entry; ++k)
           if (is_minimum[k] != 0) found(f, k);
       }
     }
   }
 
 private:
-  typedef Sign_history<T, L::size, sizeof(typename L::Register_type)> History;
+  typedef Sign_history<T, Response_pack::size, sizeof(typename Response_pack::Register_type)> History;
 
   // Frames are written down in parts of as many as a history has bits, those that have a frame on either side.
   static std::size_t first_frame(std::size_t part) { return 1 + part * History::size; }
@@ -121,16 +123,16 @@ private:
     return (std::min)(m_frames - 1 - first_frame(part), History::size);
   }
 
-  L* row(std::size_t l) { return m_levels[l % 3].data(); }
+  Response_pack* row(std::size_t l) { return m_levels[l % 3].data(); }
   const T* numbers(std::size_t l, std::size_t f) const
   {
     return reinterpret_cast<const T*>(m_levels[l % 3].data() + f);
   }
 
   std::size_t m_frames, m_first = 0, m_next = 0;
-  std::vector<L> m_levels[3];
+  std::vector<Response_pack> m_levels[3];
   std::vector<History> m_minima, m_new_minima; // over time, of the last level but one and of the last: [part]
-  std::vector<L> m_slacks;                     // [l % 3]
+  std::vector<Response_pack> m_slacks;         // [l % 3]
 };
 
 } // namespace internal

@@ -17,34 +17,34 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// The weights of a batch, in the order in which lanes need them: for each time level those of all space levels, the
-// responses at [batch.first - 1, batch.last + 1) in the first lanes. Weights of lanes without a level are zero.
+// The weights of a batch, as packs: one for each time level, with those of all space levels; the responses at
+// [batch.first - 1, batch.last + 1) are the first of its entries. The weights of entries without a level are zero.
 template <class T>
 class Packed_weights
 {
 public:
-  Packed_weights(const Level_weights& weights, const Level_batch& batch, std::size_t time_levels, std::size_t lanes)
-    : m_lanes(lanes)
-    , m_space(time_levels * lanes, 0)
-    , m_time(time_levels * lanes, 0)
-    , m_floor(time_levels * lanes, 0)
+  Packed_weights(const Level_weights& weights, const Level_batch& batch, std::size_t time_levels, std::size_t pack_size)
+    : m_pack_size(pack_size)
+    , m_space(time_levels * pack_size, 0)
+    , m_time(time_levels * pack_size, 0)
+    , m_floor(time_levels * pack_size, 0)
   {
     for (std::size_t l = batch.below; l + batch.above < time_levels; ++l)
       for (std::size_t k = batch.first - 1; k < batch.last + 1; ++k) {
-        const std::size_t i = l * lanes + k - (batch.first - 1);
+        const std::size_t i = l * pack_size + k - (batch.first - 1);
         m_space[i] = T(weights.space(k, l));
         m_time[i] = T(weights.time(k, l));
         m_floor[i] = T(weights.floor(k, l));
       }
   }
 
-  const T* space(std::size_t l) const { return m_space.data() + l * m_lanes; }
-  const T* time(std::size_t l) const { return m_time.data() + l * m_lanes; }
-  const T* floor(std::size_t l) const { return m_floor.data() + l * m_lanes; }
+  const T* space(std::size_t l) const { return m_space.data() + l * m_pack_size; }
+  const T* time(std::size_t l) const { return m_time.data() + l * m_pack_size; }
+  const T* floor(std::size_t l) const { return m_floor.data() + l * m_pack_size; }
 
 private:
-  std::size_t m_lanes;
-  std::vector<T> m_space, m_time, m_floor; // [l][lane]
+  std::size_t m_pack_size;
+  std::vector<T> m_space, m_time, m_floor; // [l][entry of the pack]
 };
 
 } // namespace internal

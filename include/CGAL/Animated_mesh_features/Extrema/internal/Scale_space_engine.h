@@ -50,9 +50,9 @@ struct Searches_strict_minima<Search, std::enable_if_t<Search::strict_minima>> :
 //
 // The spatial filter S acts on frames, the temporal filter T on rows of frames, so they commute, L_kl = S_k d T_l, and
 // S is applied once for each k only. A batch of space levels is kept in memory; for each vertex all its time levels,
-// responses and the comparisons at the vertex itself run in the caches. They detect_candidates candidates - generously, since they
-// run in single precision where they can -, and what is proposed is decided in double precision, at the vertex and at
-// its neighbours. Levels are in double precision whatever the scalar of the field.
+// responses and the comparisons at the vertex itself run in the caches. They detect candidates - generously, since they
+// run in single precision where they can -, which are verified in double precision, at the vertex and at its
+// neighbours. Levels are in double precision whatever the scalar of the field.
 template <class TemporalFilter, class Response, class Search>
 class Scale_space_engine
 {
@@ -95,10 +95,10 @@ public:
     const auto run_with = [&](std::size_t fitting, const auto& make_detector) {
       return run_batches<ConcurrencyTag>(field, spatial, visitor, weights, matrices, fitting, make_detector);
     };
-    const auto run_cascade = [&](const auto& chains) {
-      typedef std::decay_t<decltype(chains)> Cascade;
+    const auto run_cascade = [&](const auto& cascade) {
+      typedef std::decay_t<decltype(cascade)> Cascade;
       return run_with(Cascade::largest_batch(below, above), [&](const Level_batch& batch) {
-        return Vectorized_candidate_detector<Cascade>(batch, weights, chains, m_frames, m_time_levels, m_instructions);
+        return Vectorized_candidate_detector<Cascade>(batch, weights, cascade, m_frames, m_time_levels, m_instructions);
       });
     };
     if constexpr (Is_vectorized_filter<TemporalFilter>::value && Searches_strict_minima<Search>::value &&
@@ -109,8 +109,8 @@ public:
     } else {
       constexpr std::size_t fitting = 12;
       return run_with(fitting, [&](const Level_batch& batch) {
-        return Exhaustive_candidate_detector<TemporalFilter, Search>(batch, weights, m_frames, m_time_levels, m_temporal,
-                                                           m_search);
+        return Exhaustive_candidate_detector<TemporalFilter, Search>(batch, weights, m_frames, m_time_levels,
+                                                                     m_temporal, m_search);
       });
     }
   }
@@ -199,7 +199,7 @@ private:
     return result;
   }
 
-  // Proposes and decides for some vertices at a time, which bounds the memory of candidates.
+  // Detects and verifies the candidates of some vertices at a time, which bounds their memory.
   template <class Candidate_detector, class Loop>
   void search(const Level_batch& batch,
               const Level_weights& weights,
@@ -214,23 +214,23 @@ private:
       const std::size_t first = part * vertices_at_once, last = (std::min)(n, first + vertices_at_once);
       const auto part_loop = loop.part(part, parts);
       std::vector<Candidate> candidates = detect_candidates(detector, first, last, part_loop.part(0, 2));
-      decide(batch, weights, candidates, part_loop.part(1, 2), matrices, extrema);
+      verify(batch, weights, candidates, part_loop.part(1, 2), matrices, extrema);
     }
   }
 
   template <class Candidate_detector, class Loop>
-  std::vector<Candidate>
-  detect_candidates(const Candidate_detector& detector, std::size_t first_vertex, std::size_t last_vertex, const Loop& loop) const
+  std::vector<Candidate> detect_candidates(const Candidate_detector& detector, std::size_t first_vertex,
+                                           std::size_t last_vertex, const Loop& loop) const
   {
     constexpr std::size_t vertices_per_task = 8;
-    std::vector<std::vector<Candidate>> proposed((last_vertex - first_vertex + vertices_per_task - 1) /
+    std::vector<std::vector<Candidate>> detected((last_vertex - first_vertex + vertices_per_task - 1) /
                                                  vertices_per_task); // in order, whichever thread finds them
-    loop(proposed.size(), [&](std::size_t task) {
+    loop(detected.size(), [&](std::size_t task) {
       const std::size_t first = first_vertex + task * vertices_per_task;
-      detector(first, (std::min)(last_vertex, first + vertices_per_task), proposed[task]);
+      detector(first, (std::min)(last_vertex, first + vertices_per_task), detected[task]);
     });
     std::vector<Candidate> all;
-    for (std::vector<Candidate>& p : proposed) {
+    for (std::vector<Candidate>& p : detected) {
       all.insert(all.end(), p.begin(), p.end());
       std::vector<Candidate>().swap(p);
     }
@@ -239,26 +239,22 @@ private:
 
   // Time levels in windows for which there are matrices.
   template <class Loop>
-  void decide(const Level_batch& batch,
-              const Level_weights& weights,
-              std::vector<Candidate>& candidates,
-              const Loop& loop,
-              Temporal_matrices<TemporalFilter>& matrices,
-              std::vector<Extremum>& extrema) const
+  void verify(const Level_batch& batch, const Level_weights& weights, std::vector<Candidate>& candidates,
+              const Loop& loop, Temporal_matrices<TemporalFilter>& matrices, std::vector<Extremum>& extrema) const
   {
     constexpr std::size_t candidates_per_task = 64;
     const std::size_t window = matrices.window_size(below + above + 3);
-    const std::size_t decided_at_once = window - (below + above + 2); // a window has a response on either side of them
+    const std::size_t verified_at_once = window - (below + above + 2); // a window has a response on either side of them
     const std::size_t first = below + 1, last = m_time_levels - above - 1;
-    const std::size_t windows = (last - first + decided_at_once - 1) / decided_at_once;
+    const std::size_t windows = (last - first + verified_at_once - 1) / verified_at_once;
     if (windows > 1)
       std::stable_sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
-        return (a.l - first) / decided_at_once < (b.l - first) / decided_at_once;
+        return (a.l - first) / verified_at_once < (b.l - first) / verified_at_once;
       });
     const Candidate_verifier<TemporalFilter, Search> is_extremum(m_shape, batch, weights, matrices, m_search, m_frames);
     auto next = candidates.begin();
     for (std::size_t i = 0; i < windows; ++i) {
-      const std::size_t begin = first + i * decided_at_once, end = (std::min)(last, begin + decided_at_once);
+      const std::size_t begin = first + i * verified_at_once, end = (std::min)(last, begin + verified_at_once);
       const auto window_end =
           std::find_if(next, candidates.end(), [&](const Candidate& c) { return c.l >= end; });
       if (next == window_end) continue;

@@ -29,8 +29,8 @@ struct Is_vectorized_filter<Filter, std::enable_if_t<Filter::vectorized>> : std:
 {
 };
 
-// The matrices of the levels of a temporal filter, T_l, for a window of levels that moves upwards: row f of T_l holds the
-// weights of all frames in frame f of level l. F^2 numbers a level.
+// The matrices of the levels of a temporal filter, T_l, for a window of levels that moves upwards: row f of T_l holds
+// the weights of all frames in frame f of level l. F^2 numbers a level.
 template <class TemporalFilter>
 class Temporal_matrices
 {
@@ -39,7 +39,7 @@ public:
     : m_filter(filter)
     , m_frames(number_of_frames)
     , m_levels(number_of_levels)
-    , m_stride((number_of_frames + lanes - 1) / lanes * lanes)
+    , m_stride((number_of_frames + pack_size - 1) / pack_size * pack_size)
   {
   }
 
@@ -55,7 +55,7 @@ public:
                            m_values.end(), values.begin());
     const std::size_t from = goes_on ? m_last : 0;
     const double* before = goes_on ? values.data() + (m_last - 1 - first) * size : nullptr;
-    loop(m_stride / lanes, [&](std::size_t group) { smooth_impulses(group, before, from, first, last, values); });
+    loop(m_stride / pack_size, [&](std::size_t group) { smooth_impulses(group, before, from, first, last, values); });
     m_values.swap(values);
     m_first = first;
     m_last = last;
@@ -77,13 +77,13 @@ public:
   std::size_t stride() const { return m_stride; }
 
 private:
-  static constexpr std::size_t lanes = 8;
+  static constexpr std::size_t pack_size = 8;
 
-  // The columns of a group: impulses in `lanes` successive frames, smoothed.
+  // The columns of a group: impulses in `pack_size` successive frames, smoothed.
   void smooth_impulses(std::size_t group, const double* before, std::size_t from, std::size_t first, std::size_t last,
                        std::vector<double>& values) const
   {
-    const std::size_t size = m_stride * m_frames, column = group * lanes;
+    const std::size_t size = m_stride * m_frames, column = group * pack_size;
     const auto smooth = [&](auto& row, auto& next, const auto& load, const auto& store) {
       for (std::size_t f = 0; f < m_frames; ++f) load(f, row[f]);
       for (std::size_t l = from; l < last; ++l) {
@@ -98,17 +98,17 @@ private:
       return before != nullptr ? before[f * m_stride + column + i] : double(f == column + i);
     };
     if constexpr (Is_vectorized_filter<TemporalFilter>::value) {
-      typedef Pack<double, lanes, Baseline_register<double>::value> Block;
+      typedef Pack<double, pack_size, Baseline_register<double>::value> Block;
       std::vector<Block> row(m_frames), next(m_frames);
       const auto load = [&](std::size_t f, Block& block) {
-        double numbers[lanes];
-        for (std::size_t i = 0; i < lanes; ++i) numbers[i] = entry(f, i);
+        double numbers[pack_size];
+        for (std::size_t i = 0; i < pack_size; ++i) numbers[i] = entry(f, i);
         block = Block::load(numbers);
       };
       smooth(row, next, load, [](const Block& block, double* to) { block.store(to); });
     } else {
       std::vector<double> row(m_frames), next(m_frames);
-      for (std::size_t i = 0; i < lanes && column + i < m_frames; ++i)
+      for (std::size_t i = 0; i < pack_size && column + i < m_frames; ++i)
         smooth(row, next, [&](std::size_t f, double& number) { number = entry(f, i); },
                [&](double number, double* to) { to[i] = number; });
     }

@@ -23,9 +23,9 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// Proposes the samples of a range of vertices that may be strict minima, for temporal filters that take lanes: a lane
-// for each space level of a batch, all time levels one after the other, in the caches. It proposes all that the errors
-// of its arithmetic leave possible, so that nothing is lost by single precision; deciding is up to others.
+// Finds the samples of a range of vertices that may be strict minima, for temporal filters that take packs: an entry
+// for each space level of a batch, all time levels one after the other, in the caches. It finds all that the errors of
+// its arithmetic leave possible, so that nothing is lost by single precision; they are verified afterwards.
 //
 // Where a field hardly changes over frames and scales, single precision leaves everything possible. A vertex of which
 // that is so is searched again with Cascade::Precise, unless that is `void`.
@@ -43,31 +43,31 @@ class Vectorized_candidate_detector
   typedef std::conditional_t<is_precise, Nothing, Vectorized_candidate_detector<Precise_cascade>> Precise_detector;
 
 public:
-  Vectorized_candidate_detector(const Level_batch& batch, const Level_weights& weights, const Cascade& chains,
-                      std::size_t number_of_frames, std::size_t time_levels, Instruction_set instructions)
+  Vectorized_candidate_detector(const Level_batch& batch, const Level_weights& weights, const Cascade& cascade,
+                                std::size_t number_of_frames, std::size_t time_levels, Instruction_set instructions)
     : m_batch(batch)
-    , m_weights(weights, batch, time_levels, Cascade::lanes)
-    , m_cascade(chains)
+    , m_weights(weights, batch, time_levels, Cascade::pack_size)
+    , m_cascade(cascade)
     , m_frames(number_of_frames)
     , m_time_levels(time_levels)
     , m_instructions(instructions)
   {
     if constexpr (!is_precise)
-      m_precise = std::make_shared<const Precise_detector>(batch, weights, chains.precise(), number_of_frames,
+      m_precise = std::make_shared<const Precise_detector>(batch, weights, cascade.precise(), number_of_frames,
                                                            time_levels, instructions);
   }
 
   void operator()(std::size_t first_vertex, std::size_t last_vertex, std::vector<Candidate>& candidates) const
   {
     std::vector<std::size_t> unclear;
-    Kernel kernel = {*this, first_vertex, last_vertex, candidates, unclear};
-    run_vectorized<T>(m_instructions, kernel);
+    Vector_loop loop = {*this, first_vertex, last_vertex, candidates, unclear};
+    run_vectorized<T>(m_instructions, loop);
     if constexpr (!is_precise)
       for (std::size_t v : unclear) (*m_precise)(v, v + 1, candidates);
   }
 
 private:
-  struct Kernel
+  struct Vector_loop
   {
     const Vectorized_candidate_detector& detector;
     std::size_t first_vertex, last_vertex;
@@ -81,21 +81,21 @@ private:
     }
   };
 
-  // Deciding on that many takes about as long as searching again.
+  // Verifying that many takes about as long as searching again.
   std::size_t most_candidates() const
   {
     constexpr std::size_t samples_per_candidate = 128;
-    return Cascade::lanes * m_time_levels * m_frames / samples_per_candidate + 1;
+    return Cascade::pack_size * m_time_levels * m_frames / samples_per_candidate + 1;
   }
 
   template <std::size_t bytes>
   void search(std::size_t first_vertex, std::size_t last_vertex, std::vector<Candidate>& candidates,
               std::vector<std::size_t>& unclear) const
   {
-    typedef Pack<T, Cascade::lanes, bytes> L;
+    typedef Pack<T, Cascade::pack_size, bytes> Response_pack;
     typename Cascade::template Rows<bytes> rows(m_cascade, m_batch, m_frames);
-    Packed_responses<L> responses(m_frames);
-    const std::size_t last_lane = m_batch.last - m_batch.first + 1;
+    Packed_responses<Response_pack> responses(m_frames);
+    const std::size_t last_entry = m_batch.last - m_batch.first + 1;
     const std::size_t first = m_batch.below, last = m_time_levels - m_batch.above, most = most_candidates();
     for (std::size_t v = first_vertex; v < last_vertex; ++v) {
       const std::size_t clear = candidates.size();
@@ -103,14 +103,14 @@ private:
       responses.start(first);
       for (std::size_t l = first; l < last; ++l) {
         rows.advance(l);
-        const L a = L::load(m_weights.space(l)), b = L::load(m_weights.time(l));
-        responses.push(rows.slack(a, b), L::load(m_weights.floor(l)),
+        const Response_pack a = Response_pack::load(m_weights.space(l)), b = Response_pack::load(m_weights.time(l));
+        responses.push(rows.slack(a, b), Response_pack::load(m_weights.floor(l)),
                        [&](std::size_t f) { return rows.response(a, b, f); });
         if (!responses.can_search()) continue;
         const std::size_t searched = responses.searched_level();
-        responses.search(last_lane, [&](std::size_t f, std::size_t lane) {
+        responses.search(last_entry, [&](std::size_t f, std::size_t entry) {
           candidates.push_back(
-              {std::uint32_t(v), std::uint32_t(f), std::uint32_t(m_batch.first - 1 + lane), std::uint32_t(searched)});
+              {std::uint32_t(v), std::uint32_t(f), std::uint32_t(m_batch.first - 1 + entry), std::uint32_t(searched)});
         });
         if (!is_precise && candidates.size() - clear > most) {
           candidates.resize(clear);

@@ -17,19 +17,19 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// The rows of one vertex at the space levels of a batch, as lanes: space level first_level() + i in lane i, zero behind the
-// last. What acts on time then acts on all levels at once, without a shift within a register. `lanes` is empty, or has
-// another vertex of the same batch.
-template <class L>
-void load_levels(const Level_batch& batch, std::size_t v, std::size_t number_of_frames, std::vector<L>& lanes)
+// The rows of one vertex at the space levels of a batch, as a pack for each frame: space level first_level() + i is
+// entry i, those after the last are zero. What acts on time then acts on all levels at once, without a shift within a
+// register. `packs` is empty, or has another vertex of the same batch.
+template <class Level_pack>
+void load_levels(const Level_batch& batch, std::size_t v, std::size_t number_of_frames, std::vector<Level_pack>& packs)
 {
-  typedef typename L::Scalar T;
-  if (lanes.size() != number_of_frames) lanes.assign(number_of_frames, L::all(0));
-  T* const numbers = reinterpret_cast<T*>(lanes.data());
+  typedef typename Level_pack::Scalar T;
+  if (packs.size() != number_of_frames) packs.assign(number_of_frames, Level_pack::all(0));
+  T* const numbers = reinterpret_cast<T*>(packs.data());
   const std::size_t first = batch.first_level(), levels = batch.last_level() - first;
   for (std::size_t i = 0; i < levels; ++i) {
     const double* const row = batch.row(first + i, v);
-    for (std::size_t f = 0; f < number_of_frames; ++f) numbers[f * L::size + i] = T(row[f]);
+    for (std::size_t f = 0; f < number_of_frames; ++f) numbers[f * Level_pack::size + i] = T(row[f]);
   }
 }
 
