@@ -74,9 +74,8 @@ template <class FT>
 std::vector<Minimum> detect(const Amf::Frame_sequence<Mesh, FT>& sequence,
                             const Amf::Spatio_temporal_field<double>& field, const Counts& counts, double& seconds)
 {
-  typedef Amf::Feature_detector<Amf::Frame_sequence<Mesh, FT>, Amf::Published_options> Detector;
-  Detector detector(sequence, options_for(counts));
-  detector.set_deformation(converted<FT>(field));
+  typedef Amf::Feature_detector<FT, Amf::Published_options> Detector;
+  Detector detector(sequence.rest_shape(), converted<FT>(field), sequence.frame_duration(), options_for(counts));
   std::vector<typename Detector::Feature> features;
   seconds = seconds_of([&] { detector(std::back_inserter(features)); });
   // A level is as many averages, and a scale is the square root of a variance.
@@ -164,7 +163,7 @@ public:
     , m_double(workload.sequence<double>())
     , m_float(workload.sequence<float>())
   {
-    const Amf::Compressed_rows balls = Amf::geodesic_balls<CGAL::Sequential_tag>(*m_double);
+    const Amf::Compressed_rows balls = Amf::geodesic_balls<CGAL::Sequential_tag>(m_double->rest_shape());
     m_field = Amf::deformation(
         Amf::strain<CGAL::Sequential_tag>(*m_double, Amf::Largest_eigenvalue_strain(), Amf::Triangle_weights::UNIFORM),
         Amf::curvature_change<CGAL::Sequential_tag>(*m_double, balls, Amf::Mean_dihedral_angle()),

@@ -52,8 +52,10 @@ Stage_times stage_times(const Sequence& sequence, const Options& options, const 
   for (std::size_t i = 0; i < r.most && (i < r.least || total < r.seconds); ++i) {
     Stage_timer timer;
     total += seconds_of([&] {
-      Amf::Feature_detector<Sequence, Options> detector(sequence, options);
-      std::vector<typename Amf::Feature_detector<Sequence, Options>::Feature> features;
+      Amf::Deformation_measurement<Sequence, Options> measurement(sequence, options);
+      Amf::Feature_detector<double, Options> detector(sequence.rest_shape(), measurement.take_deformation(timer),
+                                                      sequence.frame_duration(), options, measurement.noise());
+      std::vector<typename Amf::Feature_detector<double, Options>::Feature> features;
       detector(std::back_inserter(features), timer);
     });
     for (const auto& s : timer.seconds) {

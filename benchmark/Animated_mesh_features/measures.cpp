@@ -12,6 +12,7 @@
 
 #include <CGAL/Animated_mesh_features/Deformation/curvature.h>
 #include <CGAL/Animated_mesh_features/Deformation/strain.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/geodesic_balls.h>
 
 #include <CGAL/Kernel/global_functions_3.h>
 
@@ -258,7 +259,7 @@ void compare_curvature(const Workload& w, const Sequence& sequence, const Float_
     report.add(table);
   }
   const double radius = 3 * shape.mean_edge_length();
-  const Amf::Compressed_rows balls = Amf::geodesic_balls<CGAL::Parallel_if_available_tag>(sequence, radius);
+  const Amf::Compressed_rows balls = Amf::geodesic_balls<CGAL::Parallel_if_available_tag>(sequence.rest_shape(), radius);
   const Amf::Compressed_rows edges = edges_in_balls(shape, balls);
   Field reference(shape.number_of_vertices(), sequence.number_of_frames()), other = reference;
   naive_curvature(w, shape, edges, angles, reference);

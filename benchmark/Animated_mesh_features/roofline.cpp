@@ -227,11 +227,10 @@ template <class Seq>
 double engine_seconds(const Seq& sequence, const Amf::Spatio_temporal_field<typename Seq::FT>& field,
                       const Amf::Published_options& options, const Arguments& arguments)
 {
-  typedef Amf::Feature_detector<Seq, Amf::Published_options> Detector;
-  Detector detector(sequence, options);
+  typedef Amf::Feature_detector<typename Seq::FT, Amf::Published_options> Detector;
   return least_seconds(
       [&] {
-        detector.set_deformation(field);
+        Detector detector(sequence.rest_shape(), field, sequence.frame_duration(), options);
         std::vector<typename Detector::Feature> features;
         detector(std::back_inserter(features));
       },
@@ -279,7 +278,7 @@ int main(int argc, char* argv[])
     Amf::Published_options published = Amf::published_options(8);
     published.sampling.max_space_count = space;
     published.sampling.max_time_count = time;
-    const Amf::Compressed_rows balls = Amf::geodesic_balls<CGAL::Parallel_if_available_tag>(*sequence, radius);
+    const Amf::Compressed_rows balls = Amf::geodesic_balls<CGAL::Parallel_if_available_tag>(sequence->rest_shape(), radius);
     const auto change = Amf::curvature_change<CGAL::Parallel_if_available_tag>(*sequence, balls);
     const auto float_change = Amf::curvature_change<CGAL::Parallel_if_available_tag>(*floats, balls);
     const double samples = n * f * double(space) * double(time);

@@ -13,13 +13,15 @@
 
 #include "generators/articulated_figure.h"
 
-#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
-#include <CGAL/Animated_mesh_features/Scale_space/Heat_diffusion_filter.h>
 #include "pictures/Png_encoder.h"
 #include "rendering/Contact_sheet.h"
 #include "rendering/Legend.h"
 #include "rendering/Panel_cameras.h"
 #include "rendering/render.h"
+
+#include <CGAL/Animated_mesh_features/Animation/Canonical_shape.h>
+#include <CGAL/Animated_mesh_features/Deformation/Deformation_measurement.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Heat_diffusion_filter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +38,7 @@ namespace AMF = CGAL::Animated_mesh_features;
 using namespace figures;
 using namespace AMF::Rendering;
 typedef AMF::Spatio_temporal_field<double> Field;
-typedef AMF::Feature_detector<Frame_sequence> Detector;
+typedef AMF::Deformation_measurement<Frame_sequence> Measurement;
 
 namespace {
 
@@ -134,15 +136,15 @@ int main(int argc, char* argv[])
     const auto figure = Animated_mesh_generators::articulated_figure(options);
     const std::vector<Point_3> standing(figure.mesh.points().begin(), figure.mesh.points().end());
     Frame_sequence animation(figure.mesh, figure.frames, figure.frame_duration);
-    animation.set_rest_average();
-    Detector detector(animation);
-    const std::vector<double> deformation = column(detector.deformation(), shown_frame);
+    AMF::set_canonical_rest_shape(animation);
+    Measurement measurement(animation);
+    const std::vector<double> deformation = column(measurement.deformation(), shown_frame);
     const double most = range(deformation);
 
     draw(folder + "measures.png", figure,
-         {{"strain", shown_frame, column(detector.strain(), shown_frame)},
+         {{"strain", shown_frame, column(measurement.strain(), shown_frame)},
           {"7 \xc2\xb7 change of curvature", shown_frame,
-           column(detector.curvature_change(), shown_frame, AMF::default_curvature_weight)},
+           column(measurement.curvature_change(), shown_frame, AMF::default_curvature_weight)},
           {"deformation, their sum", shown_frame, deformation}},
          most, "measure");
 
@@ -153,7 +155,7 @@ int main(int argc, char* argv[])
     AMF::Heat_diffusion_filter filter;
     filter.initialize(animation.rest_shape(), {sigma[0] * sigma[0], sigma[1] * sigma[1], sigma[2] * sigma[2]},
                       Plain_loop());
-    Field from = detector.deformation(), to(from.number_of_rows(), from.number_of_frames());
+    Field from = measurement.deformation(), to(from.number_of_rows(), from.number_of_frames());
     for (std::size_t k = 0; k < sigma.size(); ++k) {
       filter(k, from, to, Plain_loop());
       levels.push_back({"\xcf\x83 = " + short_number(sigma[k], 2), shown_frame, column(to, shown_frame)});
@@ -164,7 +166,7 @@ int main(int argc, char* argv[])
     // in the same frame, what counts as deformed
     std::vector<Body> shapes = {{"rest: average", shown_frame, deformation}};
     const auto add = [&](const std::string& label) {
-      shapes.push_back({"rest: " + label, shown_frame, column(Detector(animation).deformation(), shown_frame)});
+      shapes.push_back({"rest: " + label, shown_frame, column(Measurement(animation).deformation(), shown_frame)});
     };
     animation.set_rest_shape(standing);
     add("standing");

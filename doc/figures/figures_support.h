@@ -38,7 +38,7 @@ struct Plain_loop
   Plain_loop part(std::size_t, std::size_t) const { return *this; }
 };
 
-/// a body that does not move: for fields that are given rather than measured.
+/// a body that does not move.
 inline Frame_sequence at_rest(const Mesh& mesh, std::size_t frames, double frame_duration)
 {
   const std::vector<Point_3> points(mesh.points().begin(), mesh.points().end());

@@ -13,10 +13,13 @@
 
 #include "generators/bending_cylinder.h"
 
-#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
-#include <CGAL/Animated_mesh_features/Scale_space/One_ring_average_filter.h>
+#include <CGAL/Animated_mesh_features/Animation/rest_shape_of_mesh.h>
 #include <CGAL/Animated_mesh_features/Deformation/Strain_measures.h>
 #include <CGAL/Animated_mesh_features/Deformation/curvature.h>
+#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Scale_space/One_ring_average_filter.h>
+#include <CGAL/detect_spatio_temporal_features.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -84,7 +87,7 @@ void strain_measures(const std::string& path)
 template <class Measure>
 double mean_curvature(const Frame_sequence& sphere, double radius, const Measure& measure)
 {
-  const auto field = AMF::curvature(sphere, AMF::geodesic_balls(sphere, radius), measure);
+  const auto field = AMF::curvature(sphere, AMF::geodesic_balls(sphere.rest_shape(), radius), measure);
   double sum = 0;
   for (std::size_t v = 0; v < field.number_of_rows(); ++v) sum += field(v, 0);
   return sum / double(field.number_of_rows());
@@ -149,23 +152,22 @@ Mesh square_of_varying_density()
 
 // sigma that is found of blobs of one size, where the mesh is coarse and where it is fine.
 template <class Options>
-std::vector<double> sigma_of_blobs(const Frame_sequence& animation, const Mesh& mesh, const std::vector<double>& places,
-                                   double size, Options options)
+std::vector<double> sigma_of_blobs(const AMF::Rest_shape& shape, const std::vector<double>& places, double size,
+                                   Options options)
 {
-  const double duration = 0.12;
+  const double duration = 0.12, frame_duration = 1. / 30;
   options.sampling.sigma = {size / 4, size * 4};
   std::vector<double> result;
   for (double x : places) {
-    AMF::Feature_detector<Frame_sequence, Options> detector(animation, options);
-    AMF::Spatio_temporal_field<double> field(num_vertices(mesh), animation.number_of_frames());
+    AMF::Spatio_temporal_field<double> field(shape.number_of_vertices(), 48);
     for (std::size_t v = 0; v < field.number_of_rows(); ++v)
       for (std::size_t f = 0; f < field.number_of_frames(); ++f) {
-        const double r = CGAL::squared_distance(mesh.point(Mesh::Vertex_index(unsigned(v))), Point_3(x, 0, 0));
-        const double t = (double(f) * animation.frame_duration() - 0.8) / duration;
+        const double r = (shape.points()[v] - AMF::Rest_shape::Point(x, 0, 0)).squaredNorm();
+        const double t = (double(f) * frame_duration - 0.8) / duration;
         field(v, f) = std::exp(-(r / (size * size) + t * t) / 2);
       }
-    detector.set_deformation(field);
-    std::vector<typename AMF::Feature_detector<Frame_sequence, Options>::Feature> features;
+    AMF::Feature_detector<double, Options> detector(shape, field, frame_duration, options);
+    std::vector<typename AMF::Feature_detector<double, Options>::Feature> features;
     detector(std::back_inserter(features));
     result.push_back(features.empty() ? 0 : features.front().sigma / size);
   }
@@ -175,7 +177,7 @@ std::vector<double> sigma_of_blobs(const Frame_sequence& animation, const Mesh& 
 void varying_density(const std::string& path)
 {
   const Mesh mesh = square_of_varying_density();
-  const Frame_sequence animation = at_rest(mesh, 48, 1. / 30);
+  const AMF::Rest_shape shape = AMF::rest_shape_of_mesh(mesh);
   const double size = 0.12;
   const std::vector<double> places = {-0.6, -0.45, -0.3, -0.15, 0, 0.15, 0.3, 0.45, 0.6};
   const auto calibrated = AMF::calibrated_options();
@@ -183,10 +185,10 @@ void varying_density(const std::string& path)
   json.add("vertices", double(num_vertices(mesh)));
   json.add("size", size);
   json.add("places", places);
-  json.add("heat", sigma_of_blobs(animation, mesh, places, size, calibrated));
-  json.add("one_ring", sigma_of_blobs(animation, mesh, places, size,
+  json.add("heat", sigma_of_blobs(shape, places, size, calibrated));
+  json.add("one_ring", sigma_of_blobs(shape, places, size,
                                       calibrated.with_spatial_filter(AMF::One_ring_average_filter(false))));
-  json.add("one_ring_per_vertex", sigma_of_blobs(animation, mesh, places, size,
+  json.add("one_ring_per_vertex", sigma_of_blobs(shape, places, size,
                                                  calibrated.with_spatial_filter(AMF::One_ring_average_filter(true))));
   Rows edges;
   for (Mesh::Edge_index e : mesh.edges()) {
@@ -199,31 +201,29 @@ void varying_density(const std::string& path)
 // Bands around a cylinder: all that a tube lets an event be, once it is wider than the tube.
 void bands(const std::string& path)
 {
-  Animated_mesh_generators::Bending_cylinder_options shape;
-  shape.number_of_frames = 48;
-  const auto generated = Animated_mesh_generators::bending_cylinder(shape);
-  const Frame_sequence animation = at_rest(generated.mesh, 48, 1. / 30);
+  const Animated_mesh_generators::Bending_cylinder_options cylinder;
+  const AMF::Rest_shape shape = AMF::rest_shape_of_mesh(Animated_mesh_generators::bending_cylinder(cylinder).mesh);
+  const double frame_duration = 1. / 30;
   const std::vector<double> widths = {0.1, 0.14, 0.2, 0.28, 0.4, 0.56};
   Rows found;
   for (double width : widths) {
-    AMF::Spatio_temporal_field<double> field(animation.number_of_vertices(), animation.number_of_frames());
+    AMF::Spatio_temporal_field<double> field(shape.number_of_vertices(), 48);
     for (std::size_t v = 0; v < field.number_of_rows(); ++v)
       for (std::size_t f = 0; f < field.number_of_frames(); ++f) {
-        const double z = (generated.mesh.point(Mesh::Vertex_index(unsigned(v))).z() - shape.height / 2) / width;
-        const double t = (double(f) * animation.frame_duration() - 0.8) / 0.12;
+        const double z = (shape.points()[v].z() - cylinder.height / 2) / width;
+        const double t = (double(f) * frame_duration - 0.8) / 0.12;
         // a little stronger on one side: a field that is constant around has no strict minimum
-        const double side = 1 + 0.01 * generated.mesh.point(Mesh::Vertex_index(unsigned(v))).x() / shape.radius;
+        const double side = 1 + 0.01 * shape.points()[v].x() / cylinder.radius;
         field(v, f) = side * std::exp(-(z * z + t * t) / 2);
       }
-    AMF::Feature_detector<Frame_sequence> detector(animation);
-    detector.set_deformation(field);
-    std::vector<AMF::Feature_detector<Frame_sequence>::Feature> features;
+    AMF::Feature_detector<double> detector(shape, field, frame_duration);
+    std::vector<AMF::Feature_detector<double>::Feature> features;
     detector(std::back_inserter(features));
     found.emplace_back();
     for (const auto& f : features) found.back().insert(found.back().end(), {f.sigma, double(f.at_scale_limit)});
   }
   Json_file json(path);
-  json.add("radius", shape.radius);
+  json.add("radius", cylinder.radius);
   json.add("widths", widths);
   json.add("found", found);
 }
@@ -250,9 +250,8 @@ void noise(const std::string& path)
     animation.set_rest_shape(generated.mesh.points());
     auto options = AMF::calibrated_options();
     options.selection.relative_threshold = 0.02;
-    AMF::Feature_detector<Frame_sequence> detector(animation, options);
-    std::vector<AMF::Feature_detector<Frame_sequence>::Feature> features;
-    detector(std::back_inserter(features));
+    std::vector<AMF::Spatio_temporal_feature<Mesh::Vertex_index>> features;
+    CGAL::detect_spatio_temporal_features(animation, std::back_inserter(features), options);
     strengths.emplace_back();
     for (const auto& f : features) {
       // whether it is one of the known ones: sign tells

@@ -13,13 +13,16 @@
 
 #include "generators/bending_cylinder.h"
 
-#include <CGAL/Animated_mesh_features/Scale_space/Difference_of_gaussians.h>
+#include "rendering/Palette.h"
+
+#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Animation/rest_shape_of_mesh.h>
+#include <CGAL/Animated_mesh_features/Deformation/Deformation_measurement.h>
 #include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Difference_of_gaussians.h>
 #include <CGAL/Animated_mesh_features/Scale_space/Gaussian_temporal_filter.h>
 #include <CGAL/Animated_mesh_features/Scale_space/Heat_diffusion_filter.h>
-#include "rendering/Palette.h"
 #include <CGAL/Animated_mesh_features/Scale_space/Scale_sampling.h>
-#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +36,7 @@
 namespace AMF = CGAL::Animated_mesh_features;
 using namespace figures;
 typedef AMF::Spatio_temporal_field<double> Field;
-typedef AMF::Feature_detector<Frame_sequence> Detector;
+typedef AMF::Feature_detector<double> Detector;
 typedef std::vector<std::vector<double>> Rows;
 
 namespace {
@@ -135,7 +138,7 @@ void blob(const std::string& path)
   const std::size_t frames = 145, middle_frame = 72;
   std::size_t middle = 0;
   const Mesh mesh = square(4, 0.06, middle);
-  const Frame_sequence animation = at_rest(mesh, frames, step);
+  const AMF::Rest_shape shape = AMF::rest_shape_of_mesh(mesh);
   Field field(num_vertices(mesh), frames);
   for (std::size_t v = 0; v < field.number_of_rows(); ++v)
     for (std::size_t f = 0; f < frames; ++f) {
@@ -148,7 +151,7 @@ void blob(const std::string& path)
   const std::vector<double> sigma = scales(size / 4 / ratio, ratio, 19), tau = scales(duration / 4 / ratio, ratio, 19);
   AMF::Heat_diffusion_filter in_space;
   AMF::Gaussian_temporal_filter in_time;
-  in_space.initialize(animation.rest_shape(), squares(sigma), Plain_loop());
+  in_space.initialize(shape, squares(sigma), Plain_loop());
   in_time.initialize(frames, step, squares(tau));
   std::vector<Rows> levels; // of the vertex in the middle
   Field from = field, to(num_vertices(mesh), frames);
@@ -172,11 +175,10 @@ void blob(const std::string& path)
     }
   }
 
-  auto options = AMF::calibrated_options();
+  AMF::Extremum_options<> options;
   options.sampling.sigma = {size / 4, size * 4};
   options.sampling.tau = {duration / 4, duration * 4};
-  Detector detector(animation, options);
-  detector.set_deformation(field);
+  Detector detector(shape, field, step, options);
   std::vector<Detector::Feature> features;
   detector(std::back_inserter(features));
 
@@ -198,7 +200,9 @@ void cylinder(const std::string& path)
   const auto generated = Animated_mesh_generators::bending_cylinder(shape);
   Frame_sequence animation(generated.mesh, generated.frames, generated.frame_duration);
   animation.set_rest_shape(generated.mesh.points());
-  Detector detector(animation);
+  AMF::Deformation_measurement<Frame_sequence> measurement(animation);
+  Detector detector(animation.rest_shape(), measurement.take_deformation(), animation.frame_duration(),
+                    AMF::Extremum_options<>(), measurement.noise());
   std::vector<Detector::Feature> features;
   detector(std::back_inserter(features));
 
@@ -220,7 +224,7 @@ void cylinder(const std::string& path)
     for (std::size_t v : line) result.emplace_back(field.row(v), field.row(v) + field.number_of_frames());
     return result;
   };
-  json.add("deformation", rows(detector.deformation()));
+  json.add("deformation", rows(detector.field()));
 
   // the levels of the detection, by the same filters
   const std::vector<double>& sigma = detector.sigma_levels();
@@ -230,7 +234,7 @@ void cylinder(const std::string& path)
   in_space.initialize(animation.rest_shape(), squares(sigma), Plain_loop());
   in_time.initialize(animation.number_of_frames(), animation.frame_duration(), squares(tau));
   std::vector<std::vector<Rows>> levels; // k, vertex, l
-  Field from = detector.deformation(), to(from.number_of_rows(), from.number_of_frames());
+  Field from = detector.field(), to(from.number_of_rows(), from.number_of_frames());
   for (std::size_t k = 0; k < sigma.size(); ++k) {
     in_space(k, from, to, Plain_loop());
     levels.emplace_back();

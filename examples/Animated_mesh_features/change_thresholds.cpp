@@ -4,12 +4,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A detector keeps what it has computed: asking again with other thresholds costs next to nothing.
+// A detector keeps what it has found: asking again with other thresholds costs next to nothing. Whoever wants that puts the
+// two stages of a detection together: the measurement makes a field of the animation, the detector finds features in it.
 
 #include "generators/bending_cylinder.h"
 
-#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
 #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Deformation/Deformation_measurement.h>
+#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -18,18 +20,23 @@
 #include <iterator>
 #include <vector>
 
+namespace AMF = CGAL::Animated_mesh_features;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
-typedef CGAL::Animated_mesh_features::Frame_sequence<Mesh> Frame_sequence;
-typedef CGAL::Animated_mesh_features::Feature_detector<Frame_sequence> Detector;
+typedef AMF::Frame_sequence<Mesh> Frame_sequence;
+typedef AMF::Feature_detector<double> Detector;
 
 int main()
 {
-  Animated_mesh_generators::Bending_cylinder_options options;
-  options.vertices_around = 18;
-  const auto cylinder = Animated_mesh_generators::bending_cylinder(options);
+  Animated_mesh_generators::Bending_cylinder_options cylinder_options;
+  cylinder_options.vertices_around = 18;
+  const auto cylinder = Animated_mesh_generators::bending_cylinder(cylinder_options);
   const Frame_sequence animation(cylinder.mesh, cylinder.frames, cylinder.frame_duration);
 
-  Detector detector(animation);
+  //! [stages]
+  AMF::Deformation_measurement<Frame_sequence> measurement(animation);
+  Detector detector(animation.rest_shape(), measurement.take_deformation(), animation.frame_duration(),
+                    AMF::Extremum_options<>(), measurement.noise());
+
   for (double threshold : {0.2, 0.5, 0.8, 0.01}) {
     detector.selection().relative_threshold = threshold;
     std::vector<Detector::Feature> features;
@@ -39,5 +46,6 @@ int main()
     std::cout << features.size() << " of " << detector.number_of_minima() << " minima have " << threshold
               << " of the largest strength (" << timer.time() << " s)" << std::endl;
   }
+  //! [stages]
   return 0;
 }

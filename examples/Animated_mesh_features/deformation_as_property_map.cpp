@@ -8,9 +8,9 @@
 
 #include "generators/bending_cylinder.h"
 
-#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
 #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
 #include <CGAL/Animated_mesh_features/Animation/frame_property_map.h>
+#include <CGAL/Animated_mesh_features/Deformation/Deformation_measurement.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -18,9 +18,10 @@
 #include <cstddef>
 #include <iostream>
 
+namespace AMF = CGAL::Animated_mesh_features;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
-typedef CGAL::Animated_mesh_features::Frame_sequence<Mesh> Frame_sequence;
-typedef CGAL::Animated_mesh_features::Feature_detector<Frame_sequence> Detector;
+typedef AMF::Frame_sequence<Mesh> Frame_sequence;
+typedef AMF::Deformation_measurement<Frame_sequence> Measurement;
 
 int main()
 {
@@ -30,13 +31,13 @@ int main()
   const Mesh& mesh = cylinder.mesh;
   const Frame_sequence animation(mesh, cylinder.frames, cylinder.frame_duration);
 
-  Detector detector(animation);
-  const Detector::Field& strain = detector.strain();
-  const Detector::Field& deformation = detector.deformation();
+  Measurement measurement(animation);
+  const Measurement::Field& strain = measurement.strain();
+  const Measurement::Field& deformation = measurement.deformation();
 
   for (std::size_t f = 0; f < animation.number_of_frames(); f += 6) {
-    const auto strain_map = CGAL::Animated_mesh_features::frame_property_map(animation, strain, f);
-    const auto deformation_map = CGAL::Animated_mesh_features::frame_property_map(animation, deformation, f);
+    const auto strain_map = AMF::frame_property_map(animation, strain, f);
+    const auto deformation_map = AMF::frame_property_map(animation, deformation, f);
     const Mesh::Vertex_index most =
         *std::max_element(mesh.vertices_begin(), mesh.vertices_end(), [&](Mesh::Vertex_index v, Mesh::Vertex_index w) {
           return get(deformation_map, v) < get(deformation_map, w);

@@ -9,17 +9,16 @@
 
 #include "generators/bending_cylinder.h"
 
-#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
 #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/detect_spatio_temporal_features.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <iterator>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -143,8 +142,8 @@ public:
     for (std::size_t i = l > 0 ? m_counts[l - 1] : 0; i < m_counts[l]; ++i) {
       FT before = out[0];
       for (std::size_t f = 0; f < m_frames; ++f) {
-        const FT same = out[f], behind = out[(std::min)(f + 1, m_frames - 1)];
-        out[f] = (before + 2 * same + behind) / 4;
+        const FT same = out[f], after = out[(std::min)(f + 1, m_frames - 1)];
+        out[f] = (before + 2 * same + after) / 4;
         before = same;
       }
     }
@@ -202,7 +201,7 @@ struct Minima_along_axes
            c < d(0, 0, 1);
   }
   template <class FT>
-  bool at_neighbour(FT centre, FT /* before */, FT same, FT /* behind */) const
+  bool at_neighbour(FT centre, FT /* before */, FT same, FT /* after */) const
   {
     return centre < same;
   }
@@ -235,12 +234,9 @@ int main()
                                                         {0.03, 0.04, 0.06, 0.08, 0.12, 0.16, 0.24, 0.32, 0.4}})
                            .with_response(Weighted_differences{0.4})
                            .with_search(Minima_along_axes());
-  AMF::Feature_detector<Frame_sequence, std::decay_t<decltype(options)>> detector(animation, options);
+  std::vector<AMF::Spatio_temporal_feature<Mesh::Vertex_index>> features;
+  CGAL::detect_spatio_temporal_features(animation, std::back_inserter(features), options, Stage_names());
   //! [options]
-  Stage_names visitor;
-  std::vector<decltype(detector)::Feature> features;
-  detector(std::back_inserter(features), visitor);
-
   for (const auto& f : features)
     std::cout << (f.rest_position[0] < 0 ? "left" : "right") << ", height " << f.rest_position[2] << ", time " << f.time
               << " s, sigma " << f.sigma << ", tau " << f.tau << " s, strength " << f.strength() << std::endl;

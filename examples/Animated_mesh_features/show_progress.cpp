@@ -4,15 +4,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// A visitor that shows how far the detection is, and cancels it after a while. A detector that was cancelled goes on where
-// it was.
+// A visitor that shows how far a detection is, and cancels it after a while. What was measured by then is kept, so that the
+// next attempt goes on from there.
 
 #include "generators/bending_cylinder.h"
 
-#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
 #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
-#include <CGAL/Animated_mesh_features/Numerics/parallel/Default_visitor.h>
+#include <CGAL/Animated_mesh_features/Deformation/Deformation_measurement.h>
+#include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Stage.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -23,7 +24,7 @@
 namespace AMF = CGAL::Animated_mesh_features;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 typedef AMF::Frame_sequence<Mesh> Frame_sequence;
-typedef AMF::Feature_detector<Frame_sequence> Detector;
+typedef AMF::Feature_detector<double> Detector;
 
 // A dot for each tenth of a stage.
 struct Progress
@@ -51,11 +52,13 @@ int main()
   const auto cylinder = Animated_mesh_generators::bending_cylinder(options);
   const Frame_sequence animation(cylinder.mesh, cylinder.frames, cylinder.frame_duration);
 
-  Detector detector(animation);
+  AMF::Deformation_measurement<Frame_sequence> measurement(animation);
   std::vector<Detector::Feature> features;
-  for (int patience : {300, 10000}) {
+  for (int patience : {150, 10000}) {
     Progress progress = {patience};
     try {
+      Detector detector(animation.rest_shape(), measurement.deformation(progress), animation.frame_duration(),
+                        AMF::Extremum_options<>(), measurement.noise());
       detector(std::back_inserter(features), progress);
     } catch (const AMF::Cancelled& e) {
       std::cout << e.what() << std::endl;

@@ -84,7 +84,6 @@ void check(const std::string& name, const Mesh& mesh, const std::vector<Blob>& b
 {
   const Amf::Rest_shape shape = Amf::rest_shape_of_mesh(mesh);
   Amf::Feature_detector<double, Options> detector(shape, field_of(mesh, blobs, distance), frame_duration, options);
-  detector.selection() = options.selection;
   std::vector<typename Amf::Feature_detector<double, Options>::Feature> features;
   detector(std::back_inserter(features));
 
@@ -282,7 +281,6 @@ int main()
   const Amf::Rest_shape shape = Amf::rest_shape_of_mesh(ball);
   Amf::Feature_detector<double> detector(
       shape, field_of(ball, {{on_sphere(0.5, 0.3), 0.8, sigma, tau, 2.5}}, great_circle), frame_duration, options);
-  detector.selection() = options.selection;
   std::vector<Amf::Feature_detector<double>::Feature> features;
   detector(std::back_inserter(features));
   CHECK(features.size() == 1);

@@ -18,6 +18,8 @@
 #include <CGAL/Animated_mesh_features/Extrema/internal/Scale_space_engine.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/refine_extremum.h>
 #include <CGAL/Animated_mesh_features/Detection/internal/suppress_non_maxima.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Default_visitor.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
   #include <tbb/global_control.h>

@@ -162,8 +162,9 @@ void test_reuse(const Bumpy_sphere& sphere, const Rest_shape& shape)
         selection.relative_threshold = relative;
         selection.absolute_threshold = absolute;
         selection.suppress_non_maxima = suppress;
-        Detector fresh(shape, noise, sphere.frame_duration);
-        fresh.selection() = selection;
+        AMF::Calibrated_options options;
+        options.selection = selection;
+        AMF::Feature_detector fresh(shape, noise, sphere.frame_duration, options); // takes the selection of its options
         detector.selection() = selection;
         const Features features = detect_with(detector);
         CHECK(same(features, detect_with(fresh)));

@@ -16,6 +16,8 @@
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_cascade.h>
 #include <CGAL/Animated_mesh_features/Scale_space/internal/Window_sum.h>
 #include <CGAL/Animated_mesh_features/Numerics/simd/run_vectorized.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Default_visitor.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
 
 #include <boost/math/constants/constants.hpp>

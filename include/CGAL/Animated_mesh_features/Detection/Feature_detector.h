@@ -60,7 +60,7 @@ public:
   \param shape the surface at rest; is kept by reference.
   \param field `N x F`, rows in the order of the shape's vertices. Where it is not needed any more, move it.
   \param frame_duration the time between two frames (s).
-  \param options a policy for each step.
+  \param options a policy for each step; a `Detection_options` brings its `selection`, too.
   \param noise responses that are at most that strong count as errors of the field; of a deformation, see
     `Deformation_measurement::noise()`.
   \throw Option_error if the field has another number of rows than the shape has vertices, or the noise is negative.
@@ -73,6 +73,7 @@ public:
     , m_field(std::move(field))
     , m_frame_duration(frame_duration)
     , m_options(std::move(options))
+    , m_selection(internal::selection_of(m_options, 0))
     , m_noise(noise)
   {
     if (!(noise >= 0)) throw Option_error("the noise of a field must not be negative");

@@ -36,7 +36,7 @@ struct Memory_estimate
   std::size_t level;
 
   /// \name Space levels that are in memory at a time
-  /// See `Feature_detector::set_level_memory()`.
+  /// See `Extremum_options::level_memory`.
   /// @{
   static constexpr std::size_t least_levels = 5; ///< at least
   static constexpr std::size_t most_levels = 18; ///< at most

@@ -18,6 +18,18 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
+// The selection that options bring, if they do: those of a whole detection do, those of a search do not.
+template <class Options>
+auto selection_of(const Options& options, int) -> decltype(Feature_selection(options.selection))
+{
+  return options.selection;
+}
+template <class Options>
+Feature_selection selection_of(const Options&, long)
+{
+  return Feature_selection();
+}
+
 // Of all minima, strongest first, those that become features.
 template <class Feature>
 std::vector<Feature>
