@@ -4,17 +4,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The sparse factorisation and the solves behind heat diffusion against dense matrices, for graphs of all kinds, and
-// the same bits with any vector instructions and any number of right-hand sides at a time.
+// The sparse factorisation and the solves of heat diffusion against dense matrices, for graphs of all kinds, and the same
+// bits with any vector instructions and any number of right-hand sides at a time.
 
 #include "test_shapes.h"
 
-#include <CGAL/Animated_mesh_features/Scale_space/internal/Heat_step.h>
-#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/Nested_dissection.h>
-#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/Triangular_solve.h>
-#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/Cholesky_factor.h>
-#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/minimum_degree_order.h>
 #include <CGAL/Animated_mesh_features/Numerics/simd/run_vectorized.h>
+#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/Sparse_cholesky.h>
+#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/Nested_dissection.h>
+#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/minimum_degree_order.h>
+#include <CGAL/Animated_mesh_features/Scale_space/internal/Heat_step.h>
 
 #include <Eigen/Dense>
 
@@ -74,21 +73,18 @@ std::vector<Ai::Instruction_set> instruction_sets()
 }
 
 template <class T>
-Eigen::MatrixXd solved(const Ai::Symbolic_factorization& symbolic, const Ai::Cholesky_factor<T>& factor,
-                       const Eigen::MatrixXd& b, std::size_t lines, Ai::Instruction_set instructions)
+Eigen::MatrixXd solved(const Ai::Sparse_cholesky<T>& factor, const Eigen::MatrixXd& b, std::size_t packs,
+                       Ai::Instruction_set instructions)
 {
-  const std::size_t n = symbolic.number_of_columns(), lanes = Ai::Triangular_solve<T>::lanes;
-  Ai::Aligned_vector<T> x((n + 1) * lanes * lines, T(0));
-  const auto at = [&](std::size_t i, std::size_t c) -> T& {
-    return x[(c / lanes * (n + 1) + symbolic.position()[i]) * lanes + c % lanes];
-  };
+  const std::size_t n = factor.symbolic().size(), columns = packs * Ai::Right_hand_sides<T>::pack_size;
+  Ai::Right_hand_sides<T> x(factor.symbolic(), columns);
+  CHECK(x.number_of_packs() == packs);
   for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t c = 0; c < lanes * lines; ++c) at(i, c) = T(b(Eigen::Index(i), Eigen::Index(c) % b.cols()));
-  Ai::Triangular_solve<T> kernel{&symbolic, factor.values(), x.data(), lines};
-  Ai::run_reproducibly<T>(instructions, kernel);
+    for (std::size_t c = 0; c < columns; ++c) x(i, c) = T(b(Eigen::Index(i), Eigen::Index(c) % b.cols()));
+  factor.solve(x, instructions);
   Eigen::MatrixXd result(b.rows(), b.cols());
   for (Eigen::Index i = 0; i < b.rows(); ++i)
-    for (Eigen::Index c = 0; c < b.cols(); ++c) result(i, c) = double(at(std::size_t(i), std::size_t(c)));
+    for (Eigen::Index c = 0; c < b.cols(); ++c) result(i, c) = double(x(std::size_t(i), std::size_t(c)));
   return result;
 }
 
@@ -105,16 +101,18 @@ void test_order(const std::string& name, const Graph& graph, const Amf::Compress
 {
   const std::size_t n = graph.size();
   CHECK(order.size() == n && is_permutation_of_all(order));
-  const Ai::Symbolic_factorization symbolic(rows, order);
+  const Ai::Symbolic_cholesky symbolic(rows, order);
+  CHECK(symbolic.size() == n && is_permutation_of_all(symbolic.order()));
   // every column once, in panels of bounded width; rows below them, ascending
-  CHECK(symbolic.number_of_columns() == n);
+  const Ai::Symbolic_factorization& structure = symbolic.structure();
+  CHECK(structure.number_of_columns() == n);
   std::size_t next = 0, widest = 0;
   bool is_sound = true;
-  for (const auto& p : symbolic.panels()) {
-    is_sound = is_sound && p.first == next && p.width > 0 && p.width <= Ai::Symbolic_factorization::widest;
+  for (const auto& p : structure.panels()) {
+    is_sound = is_sound && p.first == next && p.width > 0 && p.width <= Ai::Cholesky_panel::widest;
     next += p.width;
     widest = (std::max)(widest, std::size_t(p.width));
-    const auto* below = symbolic.rows(p);
+    const auto* below = structure.rows(p);
     for (std::size_t i = 0; i < p.height; ++i)
       is_sound = is_sound && below[i] >= (i > 0 ? below[i - 1] + 1 : next) && below[i] < n;
   }
@@ -130,11 +128,11 @@ void test_order(const std::string& name, const Graph& graph, const Amf::Compress
   Eigen::MatrixXd first, first_single;
   double error = 0, single_error = 0;
   for (Ai::Instruction_set instructions : instruction_sets()) {
-    const Ai::Cholesky_factor<double> factor(symbolic, rows, diagonal, entry, instructions);
-    const Ai::Cholesky_factor<float> single(symbolic, rows, diagonal, entry, instructions);
-    for (std::size_t lines : {1, 2, 3}) {
-      const Eigen::MatrixXd x = solved(symbolic, factor, b, lines, instructions);
-      const Eigen::MatrixXd y = solved(symbolic, single, b, lines, instructions);
+    const Ai::Sparse_cholesky<double> factor(symbolic, diagonal, entry, instructions);
+    const Ai::Sparse_cholesky<float> single(symbolic, diagonal, entry, instructions);
+    for (std::size_t packs : {1, 2, 3}) {
+      const Eigen::MatrixXd x = solved(factor, b, packs, instructions);
+      const Eigen::MatrixXd y = solved(single, b, packs, instructions);
       if (first.size() == 0) {
         first = x;
         first_single = y;
@@ -147,7 +145,7 @@ void test_order(const std::string& name, const Graph& graph, const Amf::Compress
   CHECK(error < 1e-16);
   CHECK(single_error < 1e-7);
   CHECK(single_error > 0 || n < 3);
-  std::cout << name << ": " << n << " columns, " << symbolic.panels().size() << " panels up to " << widest
+  std::cout << name << ": " << n << " columns, " << structure.panels().size() << " panels up to " << widest
             << " wide; error / condition " << error << ", in float " << single_error << std::endl;
 }
 
@@ -201,10 +199,10 @@ void test_indefinite()
   join(graph, 0, 1);
   join(graph, 1, 2);
   const Amf::Compressed_rows rows = rows_of(graph);
-  const Ai::Symbolic_factorization symbolic(rows, {0, 1, 2});
+  const Ai::Symbolic_cholesky symbolic(rows, std::vector<std::uint32_t>{0, 1, 2});
   const auto factor = [&](double d) {
-    return Ai::Cholesky_factor<double>(
-        symbolic, rows, [&](std::size_t) { return d; }, [](std::size_t, std::size_t) { return 1.; },
+    return Ai::Sparse_cholesky<double>(
+        symbolic, [&](std::size_t) { return d; }, [](std::size_t, std::size_t) { return 1.; },
         Ai::Instruction_set::BASELINE);
   };
   factor(1.5); // the smallest eigenvalue is d - sqrt(2)
@@ -228,9 +226,9 @@ void test_fill()
     }
     const Amf::Compressed_rows rows = rows_of(graph);
     const std::vector<std::uint32_t> order = Ai::Nested_dissection(rows, points, 20).order();
-    const double entries = double(Ai::Symbolic_factorization(rows, order).number_of_values()) / double(n);
+    const double entries = double(Ai::Symbolic_cholesky(rows, order).number_of_values()) / double(n);
     const double by_degree =
-        double(Ai::Symbolic_factorization(rows, Ai::minimum_degree_order(rows)).number_of_values()) / double(n);
+        double(Ai::Symbolic_cholesky(rows, Ai::minimum_degree_order(rows)).number_of_values()) / double(n);
     std::cout << "square of " << n << ": " << entries << " entries a column, minimum degree " << by_degree << std::endl;
     CHECK(entries < 31. / 4 * std::log2(double(n)) && entries < 1.05 * by_degree);
     // the separator of the first cut, one line, comes last
@@ -272,13 +270,15 @@ void test_heat_step()
       for (std::size_t v = 0; v < n; ++v) std::copy_n(all.row(v), frames, in.row(v));
       Ai::Heat_source source{system, t, in, out, 0, n};
       Ai::run_reproducibly<double>(instructions, source);
-      Ai::Heat_step<T> step{system, factor, in, out};
-      for (std::size_t first = 0; first < step.number_of_lines(); first += step.lines) {
-        step.first = first;
-        step.lines = (std::min)(frames % 3 + 1, step.number_of_lines() - first);
-        Ai::Aligned_vector<T> workspace(step.workspace_size(step.lines), T(random(-1e6, 1e6)));
-        step.workspace = workspace.data();
-        Ai::run_reproducibly<T>(instructions, step);
+      const Ai::Heat_step<T> step(system, factor, in, out);
+      for (std::size_t first = 0; first < step.number_of_packs();) {
+        const std::size_t packs = (std::min)(frames % 3 + 1, step.number_of_packs() - first);
+        typename Ai::Heat_step<T>::Workspace workspace(system, packs);
+        for (auto* x : {&workspace.change, &workspace.next}) // what is left from elsewhere does not matter
+          for (std::size_t p = 0; p < packs; ++p)
+            std::fill_n(x->first_row(p), (n + 1) * x->pack_size, T(random(-1e6, 1e6)));
+        step(first, packs, workspace, instructions);
+        first += packs;
       }
       if (expected.number_of_rows() == 0) expected = out;
       bool same = true;

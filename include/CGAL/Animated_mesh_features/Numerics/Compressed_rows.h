@@ -19,7 +19,7 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesData
 
-Rows of indices of varying length, stored one behind the other: the neighbours of each vertex, the vertices in each
+Rows of indices of varying length, stored one after the other: the neighbours of each vertex, the vertices in each
 geodesic ball. Memory: `8 (rows + 1) + 4 entries` bytes.
 */
 class Compressed_rows

@@ -13,7 +13,7 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesFilters
 
-What a box average takes for the frames before the first and behind the last one. (Never zero: the field is not zero
+What a box average takes for the frames before the first and after the last one. (Never zero: the field is not zero
 there, and the false step at the ends makes several times as many spurious extrema as there are true ones.)
 */
 enum class Boundary_condition

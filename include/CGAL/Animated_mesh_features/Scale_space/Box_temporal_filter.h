@@ -193,7 +193,7 @@ private:
   }
 
   // Widths for which sums of a stream are compiled, which makes the average twice as fast where the processor has 32
-  // registers as wide as all lanes; with fewer or narrower ones it would be slower.
+  // registers as wide as the pack; with fewer or narrower ones it would be slower.
   static constexpr std::size_t first_stream_width = 3, stream_widths = 10;
 
   // false if the box is none of them

@@ -178,7 +178,7 @@ private:
   // Errors that single precision does not see, relative to the largest value of a row.
   static constexpr double float_error = double(std::numeric_limits<float>::epsilon()) / 8;
 
-  // How many frames apart the weights of a step of variance u may be, behind one of variance v (squared frames).
+  // How many frames apart the weights of a step of variance u may be, following one of variance v (squared frames).
   //
   // With a weight every s frames, each s times as large, the factor g(w - 2 pi k / s) comes with g(w) for all k < s,
   // g(w) = exp(u (cos w - 1)). Before came exp(v (cos w - 1)); u cos(w - a) + v cos w is R cos(w - b) with
@@ -200,7 +200,7 @@ private:
     }
   }
 
-  // What single precision sees of a kernel: what lies behind sums up to less than its rounding.
+  // What single precision sees of a kernel: what lies farther out sums up to less than its rounding.
   static Kernel float_kernel(const Kernel& kernel, std::ptrdiff_t stride)
   {
     std::size_t size = kernel.weights.size();

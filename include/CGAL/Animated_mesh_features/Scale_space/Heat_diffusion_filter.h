@@ -114,8 +114,8 @@ private:
   // One of the two, as long as it is needed; copies of the filter share it.
   struct Factor
   {
-    std::shared_ptr<const internal::Cholesky_factor<float>> single;
-    std::shared_ptr<const internal::Cholesky_factor<double>> precise;
+    std::shared_ptr<const internal::Sparse_cholesky<float>> single;
+    std::shared_ptr<const internal::Sparse_cholesky<double>> precise;
   };
 
   static double squared(double x) { return x * x; }
@@ -134,7 +134,7 @@ private:
     return k == 0 || variance_step(k) > largest_growth * m_variances[k - 1];
   }
 
-  // Level k and those behind it, at the same time, as far as memory goes.
+  // Level k and those following it, at the same time, as far as memory goes.
   template <class Loop>
   void factor_levels(std::size_t k, std::size_t memory, const Loop& loop)
   {
@@ -151,18 +151,17 @@ private:
       Factor& factor = m_factors[levels[i]];
       const double t = time_step(levels[i]);
       if (needs_double_precision(levels[i]))
-        factor.precise =
-            std::make_shared<internal::Cholesky_factor<double>>(m_system->factor<double>(t, instructions));
+        factor.precise = std::make_shared<internal::Sparse_cholesky<double>>(m_system->factor<double>(t, instructions));
       else
-        factor.single = std::make_shared<internal::Cholesky_factor<float>>(m_system->factor<float>(t, instructions));
+        factor.single = std::make_shared<internal::Sparse_cholesky<float>>(m_system->factor<float>(t, instructions));
     });
   }
 
   template <class T, class Loop>
-  void step(std::size_t k, const internal::Cholesky_factor<T>& factor, const Spatio_temporal_field<double>& in,
+  void step(std::size_t k, const internal::Sparse_cholesky<T>& factor, const Spatio_temporal_field<double>& in,
             Spatio_temporal_field<double>& out, const Loop& loop) const
   {
-    typedef internal::Aligned_vector<T> Workspace;
+    typedef internal::Heat_step<T> Step;
     const internal::Instruction_set instructions = internal::widest_instruction_set();
     constexpr std::size_t vertices_per_task = 256;
     const std::size_t n = in.number_of_rows();
@@ -171,18 +170,15 @@ private:
       internal::Heat_source source{*m_system, time_step(k), in, out, first, (std::min)(n, first + vertices_per_task)};
       internal::run_reproducibly<double>(instructions, source);
     });
-    const internal::Heat_step<T> prototype{*m_system, factor, in, out};
-    // two lines use each panel of the factor while it is in the cache, unless that leaves too few tasks
-    const std::size_t lines = prototype.number_of_lines(), lines_per_task = lines >= 8 ? 2 : 1;
-    internal::Thread_local<Workspace> workspaces;
-    loop.part(1, 2)((lines + lines_per_task - 1) / lines_per_task, [&](std::size_t task) {
-      internal::Heat_step<T> some = prototype;
-      Workspace& workspace =
-          workspaces.get([&] { return std::make_unique<Workspace>(some.workspace_size(lines_per_task)); });
-      some.first = task * lines_per_task;
-      some.lines = (std::min)(lines_per_task, lines - some.first);
-      some.workspace = workspace.data();
-      internal::run_reproducibly<T>(instructions, some);
+    const Step step(*m_system, factor, in, out);
+    // two packs use each part of the factor while it is in the cache, unless that leaves too few tasks
+    const std::size_t packs = step.number_of_packs(), packs_per_task = packs >= 8 ? 2 : 1;
+    internal::Thread_local<typename Step::Workspace> workspaces;
+    loop.part(1, 2)((packs + packs_per_task - 1) / packs_per_task, [&](std::size_t task) {
+      const std::size_t first = task * packs_per_task;
+      auto& workspace =
+          workspaces.get([&] { return std::make_unique<typename Step::Workspace>(*m_system, packs_per_task); });
+      step(first, (std::min)(packs_per_task, packs - first), workspace, instructions);
     });
   }
 

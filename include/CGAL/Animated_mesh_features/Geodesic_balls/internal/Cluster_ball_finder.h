@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// Finds the balls of a cluster after the other, by the heat method's distance clamped to [Euclid, shortest path along
+// Finds the balls of one cluster after the other, by the heat method's distance clamped to [Euclid, shortest path along
 // edges]: both are bounds of the geodesic distance, and the heat method's own error a few edges from the source (6 to
 // 8 %) often lies outside of them. One for each thread.
 class Cluster_ball_finder
@@ -82,7 +82,7 @@ private:
     return (std::max)(count > 0 ? sum / double(count) : 0., (m_extent + m_radius + m_margin) / most_decays);
   }
 
-  // Sorts the sources so that those of a group, as many as there are lanes, are close together.
+  // Sorts the sources so that those of a group, a pack of them, are close together.
   void group(Index* first, Index* last) const
   {
     const std::size_t groups = (std::size_t(last - first) + Source_pack::size - 1) / Source_pack::size;
@@ -131,7 +131,7 @@ private:
   void find_near()
   {
     for (int i = 0; i < 3; ++i)
-      for (std::size_t l = 0; l < Source_pack::size; ++l) // lanes to spare repeat a source
+      for (std::size_t l = 0; l < Source_pack::size; ++l) // entries to spare repeat a source
         m_x[i][l] = m_patch.points()[m_sources[l < m_sources.size() ? l : 0]][i];
     m_near.clear();
     m_squared_distance.resize(m_patch.number_of_vertices());
@@ -146,16 +146,16 @@ private:
   }
 
   // Near the bound, as others compute the distance: in regular meshes, vertices lie on it.
-  bool is_near(Index v, std::size_t lane, double squared_distance) const
+  bool is_near(Index v, std::size_t s, double squared_distance) const
   {
     const double bound = m_radius * m_radius;
     if (squared_distance < bound * (1 - rounding)) return true;
     if (squared_distance > bound * (1 + rounding)) return false;
-    return is_near(v, lane);
+    return is_near(v, s);
   }
-  bool is_near(Index v, std::size_t lane) const
+  bool is_near(Index v, std::size_t s) const
   {
-    return (m_patch.points()[v] - m_patch.points()[m_sources[lane]]).norm() <= m_radius;
+    return (m_patch.points()[v] - m_patch.points()[m_sources[s]]).norm() <= m_radius;
   }
 
   void sort_near()
@@ -174,14 +174,14 @@ private:
     return path.min(heat.max(path * (1 / ball_reach)));
   }
 
-  void find_with_detours(std::size_t lane, Cluster_balls::Mask* masks)
+  void find_with_detours(std::size_t s, Cluster_balls::Mask* masks)
   {
-    const std::array<Index, 1> source = {{m_patch.vertices()[m_sources[lane]]}};
+    const std::array<Index, 1> source = {{m_patch.vertices()[m_sources[s]]}};
     for (Index w : m_dijkstra.run(source, ball_reach * m_radius)) {
       const Index v = m_patch.number(w);
-      if (v == Surface_patch::none || !is_near(v, lane)) continue;
-      if (m_dijkstra.distance(w) <= m_radius || m_heat.distance(v)[lane] <= m_radius)
-        masks[v] = Cluster_balls::Mask(masks[v] | 1u << lane);
+      if (v == Surface_patch::none || !is_near(v, s)) continue;
+      if (m_dijkstra.distance(w) <= m_radius || m_heat.distance(v)[s] <= m_radius)
+        masks[v] = Cluster_balls::Mask(masks[v] | 1u << s);
     }
   }
 

@@ -26,13 +26,13 @@ class Cluster_balls
 {
 public:
   typedef Compressed_rows::Index Index;
-  typedef std::uint8_t Mask; // a bit for each lane
-  static constexpr std::size_t lanes = Source_pack::size;
-  static_assert(lanes == 8, "a mask has a bit for each lane");
+  typedef std::uint8_t Mask; // a bit for each source of a pack
+  static constexpr std::size_t pack_size = Source_pack::size;
+  static_assert(pack_size == 8, "a mask has a bit for each source of a pack");
 
   Cluster_balls() = default;
 
-  // sources: the centres, a group for as many as there are lanes. masks: for each group, those of all vertices, which
+  // sources: the centres, a group for each pack of them. masks: for each group, those of all vertices, which
   // ascend.
   Cluster_balls(const std::vector<Index>& sources, const std::vector<Index>& vertices, const std::vector<Mask>& masks)
     : m_sources(sources)
@@ -67,17 +67,17 @@ public:
   }
 
 private:
-  std::size_t number_of_groups() const { return (m_sources.size() + lanes - 1) / lanes; }
-  std::size_t group_size(std::size_t g) const { return (std::min)(lanes, m_sources.size() - g * lanes); }
+  std::size_t number_of_groups() const { return (m_sources.size() + pack_size - 1) / pack_size; }
+  std::size_t group_size(std::size_t g) const { return (std::min)(pack_size, m_sources.size() - g * pack_size); }
   const Mask* masks(std::size_t g) const { return m_masks.data() + g * m_vertices.size(); }
 
   void add_sizes(std::vector<Index>& sizes) const
   {
     for (std::size_t g = 0; g < number_of_groups(); ++g) {
-      std::array<Index, lanes> size = {};
+      std::array<Index, pack_size> size = {};
       for (std::size_t v = 0; v < m_vertices.size(); ++v)
-        for (std::size_t l = 0; l < lanes; ++l) size[l] += masks(g)[v] >> l & 1;
-      for (std::size_t l = 0; l < group_size(g); ++l) sizes[m_sources[g * lanes + l]] = size[l];
+        for (std::size_t l = 0; l < pack_size; ++l) size[l] += masks(g)[v] >> l & 1;
+      for (std::size_t l = 0; l < group_size(g); ++l) sizes[m_sources[g * pack_size + l]] = size[l];
     }
   }
 
@@ -92,7 +92,7 @@ private:
           ball[size] = m_vertices[v];
           size += masks(g)[v] >> l & 1;
         }
-        std::copy_n(ball.begin(), size, rows.row(m_sources[g * lanes + l]));
+        std::copy_n(ball.begin(), size, rows.row(m_sources[g * pack_size + l]));
       }
   }
 

@@ -22,8 +22,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// The heat method (Crane, Weischedel, Wardetzky 2013) on a patch, for as many single sources at a time as there are
-// lanes.
+// The heat method (Crane, Weischedel, Wardetzky 2013) on a patch, for a pack of single sources at a time.
 class Heat_distances
 {
 public:
@@ -52,7 +51,7 @@ public:
     m_distance.resize(n);
   }
 
-  // Distances from each of the sources, a lane each, to the vertices in `wanted`.
+  // Distances from each of the sources, an entry of the pack each, to the vertices in `wanted`.
   void run(const std::vector<Index>& sources, const std::vector<Index>& wanted)
   {
     const std::size_t n = m_factors.size();

@@ -20,8 +20,8 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// Two symmetric matrices of the same pattern, factored together: A = L D L^T, the two in the two lanes of a register.
-// Solved with many right-hand sides at once, in lanes as well.
+// Two symmetric matrices of the same pattern, factored together, A = L D L^T: their numbers are pairs, which a register
+// holds. Solved with a pack of right-hand sides at once.
 //
 // A pivot that is not positive counts as infinite, which keeps the solution at that row at 0. For a Laplacian, whose
 // last pivot of each component is 0 but for rounding, that is the solution that vanishes at one vertex of the
@@ -49,64 +49,15 @@ public:
   // values: of the entries of the pattern
   void factorize(const Pattern& pattern, const std::vector<Pair>& diagonal, const std::vector<Pair>& values)
   {
-    const std::size_t n = pattern.size();
     order(pattern);
     find_structure(pattern);
-    m_column_ends.assign(m_column_offsets.begin(), m_column_offsets.end() - 1);
-    m_columns.resize(m_column_offsets.back());
-    m_column_pairs.resize(m_column_offsets.back());
-    m_rows.resize(m_column_offsets.back());
-    for (int w : {0, 1}) {
-      m_row_values[w].resize(m_column_offsets.back());
-      m_column_values[w].resize(m_column_offsets.back());
-      m_inverse[w].resize(n);
+    allocate();
+    for (int k = 0; k < int(size()); ++k) {
+      const std::size_t first = find_row(pattern, values, k);
+      set_pivot(k, eliminate(k, first, diagonal[m_original[k]]));
     }
-    m_pivots.resize(n);
-    m_work.assign(n, Pair::Zero());
-    m_seen.assign(n, -1);
-    m_path.resize(n);
-    std::size_t entry = 0;
-    for (int k = 0; k < int(n); ++k) {
-      const int r = m_original[k];
-      std::size_t first = n; // the row's pattern in an order in which each column comes before those it acts upon
-      m_seen[k] = k;
-      for (int p = pattern.offsets[r]; p < pattern.offsets[r + 1]; ++p) {
-        int i = m_position[pattern.columns[p]];
-        if (i > k) continue;
-        m_work[i] = values[p];
-        std::size_t length = 0;
-        for (; m_seen[i] != k; i = m_parent[i]) {
-          m_path[length++] = i;
-          m_seen[i] = k;
-        }
-        while (length > 0) m_path[--first] = m_path[--length];
-      }
-      Pair pivot = diagonal[r];
-      for (; first < n; ++first) {
-        const int i = m_path[first];
-        const Pair y = m_work[i];
-        m_work[i].setZero();
-        for (int p = m_column_offsets[i]; p < m_column_ends[i]; ++p) m_work[m_columns[p]] -= m_column_pairs[p] * y;
-        const Pair l = y * m_pivots[i];
-        pivot -= l * y;
-        const int p = m_column_ends[i]++;
-        m_columns[p] = k;
-        m_column_pairs[p] = l;
-        m_rows[entry] = i;
-        m_row_values[0][entry] = l[0];
-        m_row_values[1][entry] = l[1];
-        ++entry;
-      }
-      const bool is_root = m_parent[k] < 0;
-      const double heat = pivot[0] > 0 ? 1 / pivot[0] : 0, distance = pivot[1] > 0 && !is_root ? 1 / pivot[1] : 0;
-      m_pivots[k] = Pair(heat, distance);
-      m_inverse[0][k] = heat;
-      m_inverse[1][k] = distance;
-    }
-    for (std::size_t p = 0; p < m_column_pairs.size(); ++p) {
-      m_column_values[0][p] = m_column_pairs[p][0];
-      m_column_values[1][p] = m_column_pairs[p][1];
-    }
+    for (std::size_t p = 0; p < m_column_pairs.size(); ++p)
+      for (int w : {0, 1}) m_column_values[w][p] = m_column_pairs[p][w];
   }
 
   std::size_t size() const { return m_position.size(); }
@@ -195,6 +146,76 @@ private:
     for (int k = 0; k < n; ++k) m_column_offsets[k + 1] += m_column_offsets[k];
     m_component.resize(n);
     for (int k = n - 1; k >= 0; --k) m_component[k] = m_parent[k] < 0 ? k : m_component[m_parent[k]];
+  }
+
+  // Memory for the factors, which grows from patch to patch.
+  void allocate()
+  {
+    const std::size_t n = size(), entries = std::size_t(m_column_offsets.back());
+    m_column_ends.assign(m_column_offsets.begin(), m_column_offsets.end() - 1);
+    m_columns.resize(entries);
+    m_column_pairs.resize(entries);
+    m_rows.resize(entries);
+    for (int w : {0, 1}) {
+      m_row_values[w].resize(entries);
+      m_column_values[w].resize(entries);
+      m_inverse[w].resize(n);
+    }
+    m_pivots.resize(n);
+    m_work.assign(n, Pair::Zero());
+    m_seen.assign(n, -1);
+    m_path.resize(n);
+  }
+
+  // Loads row k of the matrices into m_work. The columns in which the factor has entries are then m_path[first, n), each
+  // before those it acts upon. Returns `first`.
+  std::size_t find_row(const Pattern& pattern, const std::vector<Pair>& values, int k)
+  {
+    const int r = m_original[k];
+    std::size_t first = size();
+    m_seen[k] = k;
+    for (int p = pattern.offsets[r]; p < pattern.offsets[r + 1]; ++p) {
+      int i = m_position[pattern.columns[p]];
+      if (i > k) continue;
+      m_work[i] = values[p];
+      std::size_t length = 0;
+      for (; m_seen[i] != k; i = m_parent[i]) {
+        m_path[length++] = i;
+        m_seen[i] = k;
+      }
+      while (length > 0) m_path[--first] = m_path[--length];
+    }
+    return first;
+  }
+
+  // Computes row k of the factors from m_work, which is zero again then. Returns what is left of the diagonal.
+  Pair eliminate(int k, std::size_t first, const Pair& diagonal)
+  {
+    Pair pivot = diagonal;
+    int entry = m_row_offsets[k];
+    for (; first < size(); ++first) {
+      const int i = m_path[first];
+      const Pair y = m_work[i];
+      m_work[i].setZero();
+      for (int p = m_column_offsets[i]; p < m_column_ends[i]; ++p) m_work[m_columns[p]] -= m_column_pairs[p] * y;
+      const Pair l = y * m_pivots[i];
+      pivot -= l * y;
+      const int p = m_column_ends[i]++;
+      m_columns[p] = k;
+      m_column_pairs[p] = l;
+      m_rows[entry] = i;
+      for (int w : {0, 1}) m_row_values[w][entry] = l[w];
+      ++entry;
+    }
+    return pivot;
+  }
+
+  void set_pivot(int k, const Pair& pivot)
+  {
+    const bool is_root = m_parent[k] < 0;
+    m_inverse[HEAT][k] = pivot[HEAT] > 0 ? 1 / pivot[HEAT] : 0;
+    m_inverse[DISTANCE][k] = pivot[DISTANCE] > 0 && !is_root ? 1 / pivot[DISTANCE] : 0;
+    m_pivots[k] = Pair(m_inverse[HEAT][k], m_inverse[DISTANCE][k]);
   }
 
   std::vector<int> m_original, m_position; // order and its inverse

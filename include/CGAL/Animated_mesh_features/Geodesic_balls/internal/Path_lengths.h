@@ -17,10 +17,10 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// Lengths of the shortest paths along the edges of a patch, from as many sources at a time as there are lanes: edges are
-// relaxed until nothing changes, for all sources at once and without a queue. If the sources are close together and
-// vertices come roughly in the order of their distance from them, each is relaxed three or four times. The lengths are
-// those of Dijkstra's algorithm, to the bit, as both are the least among the sums from the source outwards.
+// Lengths of the shortest paths along the edges of a patch, from a pack of sources at a time: edges are relaxed until
+// nothing changes, for all sources at once and without a queue. If the sources are close together and vertices come
+// roughly in the order of their distance from them, each is relaxed three or four times. The lengths are those of
+// Dijkstra's algorithm, to the bit, as both are the least among the sums from the source outwards.
 class Path_lengths
 {
 public:
@@ -36,10 +36,10 @@ public:
     m_length.assign(patch.number_of_vertices(), Array::Constant(far));
     m_changed.assign(patch.number_of_vertices(), 0);
     m_relaxed.assign(patch.number_of_vertices(), 0);
-    m_frame_duration = 1;
+    m_now = 1;
     for (std::size_t l = 0; l < sources.size(); ++l) {
       m_length[sources[l]][l] = 0;
-      m_changed[sources[l]] = m_frame_duration;
+      m_changed[sources[l]] = m_now;
     }
     bool changes = true;
     for (bool outwards = true; changes; outwards = !outwards) {
@@ -58,18 +58,18 @@ private:
     bool news = false;
     for (const Surface_patch::Neighbour& w : patch.neighbours(v)) news |= m_changed[w.vertex] > m_relaxed[v];
     if (!news) return false;
-    m_relaxed[v] = m_frame_duration;
+    m_relaxed[v] = m_now;
     Array best = m_length[v];
     for (const Surface_patch::Neighbour& w : patch.neighbours(v)) best = best.min(m_length[w.vertex] + w.length);
     if (!((m_length[v] - best).maxCoeff() > 0)) return false;
     m_length[v] = best;
-    m_changed[v] = ++m_frame_duration;
+    m_changed[v] = ++m_now;
     return true;
   }
 
   Source_pack::Rows m_length;
-  std::vector<std::size_t> m_changed, m_relaxed; // when, by a clock that goes on with each change
-  std::size_t m_frame_duration = 0;
+  std::vector<std::size_t> m_changed, m_relaxed; // when, in changes since the beginning
+  std::size_t m_now = 0;
 };
 
 } // namespace internal

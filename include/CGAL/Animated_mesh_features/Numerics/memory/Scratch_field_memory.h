@@ -39,7 +39,7 @@ namespace Animated_mesh_features {
 Fields in files of a scratch directory: a `Field_memory` for animations that are larger than the memory. Results are the
 same, bit for bit.
 
-Each field is a file without a name - nothing is left behind, however the program ends -, mapped into the address space.
+Each field is a file without a name - nothing remains of it, however the program ends -, mapped into the address space.
 When the process has more than `limit` bytes in memory, all pages of all fields are let go of; what is needed again comes
 back from the system's cache or from the disk. A thread looks after that, some hundred times a second, so that the limit
 can be exceeded by what is touched in between, and by what is not a field: the mesh, the geodesic balls, the factors of a

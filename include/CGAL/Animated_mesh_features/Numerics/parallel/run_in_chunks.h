@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// task(first, last) for chunks of [0, n): kernels are entered seldom enough that it costs nothing.
+// task(first, last) for chunks of [0, n), so that vector loops are entered seldom enough for that to cost nothing.
 template <class Loop, class Task>
 void run_in_chunks(std::size_t n, const Loop& loop, const Task& task)
 {

@@ -78,7 +78,7 @@ struct alignas(register_bytes) Pack // said again, since g++ forgets it of the r
   typedef typename Register<T, register_bytes>::memory_type Memory_type;
   static constexpr std::size_t size = size_;
   static constexpr std::size_t registers = size * sizeof(T) / register_bytes;
-  static_assert(registers * register_bytes == size * sizeof(T), "lanes are whole registers");
+  static_assert(registers * register_bytes == size * sizeof(T), "a pack fills whole registers");
 
   Register_type r[registers];
 
@@ -111,19 +111,19 @@ struct alignas(register_bytes) Pack // said again, since g++ forgets it of the r
   }
 };
 
-#define CGAL_ANIMATED_MESH_FEATURES_LANES_OPERATOR(op)                                                                 \
+#define CGAL_ANIMATED_MESH_FEATURES_PACK_OPERATOR(op)                                                                  \
   template <class T, std::size_t n, std::size_t b>                                                                     \
-  CGAL_ANIMATED_MESH_FEATURES_INLINE Pack<T, n, b> operator op(const Pack<T, n, b>& x, const Pack<T, n, b>& y)      \
+  CGAL_ANIMATED_MESH_FEATURES_INLINE Pack<T, n, b> operator op(const Pack<T, n, b>& x, const Pack<T, n, b>& y)         \
   {                                                                                                                    \
-    Pack<T, n, b> result;                                                                                             \
+    Pack<T, n, b> result;                                                                                              \
     CGAL_ANIMATED_MESH_FEATURES_UNROLL                                                                                 \
     for (std::size_t i = 0; i < result.registers; ++i) result.r[i] = x.r[i] op y.r[i];                                 \
     return result;                                                                                                     \
   }
-CGAL_ANIMATED_MESH_FEATURES_LANES_OPERATOR(+)
-CGAL_ANIMATED_MESH_FEATURES_LANES_OPERATOR(-)
-CGAL_ANIMATED_MESH_FEATURES_LANES_OPERATOR(*)
-#undef CGAL_ANIMATED_MESH_FEATURES_LANES_OPERATOR
+CGAL_ANIMATED_MESH_FEATURES_PACK_OPERATOR(+)
+CGAL_ANIMATED_MESH_FEATURES_PACK_OPERATOR(-)
+CGAL_ANIMATED_MESH_FEATURES_PACK_OPERATOR(*)
+#undef CGAL_ANIMATED_MESH_FEATURES_PACK_OPERATOR
 
 template <class T, std::size_t n, std::size_t b>
 CGAL_ANIMATED_MESH_FEATURES_INLINE Pack<T, n, b> operator*(const Pack<T, n, b>& x, T y)
@@ -160,14 +160,14 @@ CGAL_ANIMATED_MESH_FEATURES_INLINE Pack<T, n, b> larger(const Pack<T, n, b>& x, 
   return result;
 }
 
-// The lanes of two chains that go through the same filter, so that each hides the latency of the other.
-template <class L>
+// Two packs that go through the same filter, so that each hides the latency of the other.
+template <class P>
 struct Pack_pair
 {
-  typedef typename L::Scalar Scalar;
-  L p, q;
+  typedef typename P::Scalar Scalar;
+  P p, q;
 
-  static CGAL_ANIMATED_MESH_FEATURES_INLINE Pack_pair all(Scalar value) { return {L::all(value), L::all(value)}; }
+  static CGAL_ANIMATED_MESH_FEATURES_INLINE Pack_pair all(Scalar value) { return {P::all(value), P::all(value)}; }
 
   CGAL_ANIMATED_MESH_FEATURES_INLINE friend Pack_pair operator+(const Pack_pair& a, const Pack_pair& b)
   {
@@ -188,12 +188,12 @@ template <class T>
 struct Is_register_pair : std::false_type
 {
 };
-template <class L>
-struct Is_register_pair<Pack_pair<L>> : std::bool_constant<L::registers == 1 && sizeof(L) == 64>
+template <class P>
+struct Is_register_pair<Pack_pair<P>> : std::bool_constant<P::registers == 1 && sizeof(P) == 64>
 {
 };
 
-// The scalar of lanes, or a number's own type.
+// The scalar of a pack, or a number's own type.
 template <class T, class = void>
 struct Scalar_of
 {

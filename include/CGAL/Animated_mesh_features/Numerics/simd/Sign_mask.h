@@ -25,8 +25,8 @@ struct Bits_of
   typedef std::conditional_t<sizeof(T) == 4, std::uint32_t, std::uint64_t> type;
 };
 
-// The signs of lanes, to be combined. (Comparing vectors is what g++ 12 does lane by lane for registers of 64 bytes. A
-// difference of unlike numbers is never zero, and of like ones +0.)
+// The signs of the numbers of a pack, to be combined. (Comparing vectors is what g++ 12 does number by number for
+// registers of 64 bytes. A difference of unlike numbers is never zero, and of like ones +0.)
 template <class T, std::size_t n, std::size_t b>
 class Sign_mask
 {
@@ -71,7 +71,8 @@ CGAL_ANIMATED_MESH_FEATURES_INLINE Integer any_bits(const typename Register<Inte
   }
 }
 
-// For each lane the signs that were pushed last, as the bits of an integer: of `size` of them the first is bit 0.
+// For each number of a pack the signs that were pushed last, as the bits of an integer: of `size` of them the first is
+// bit 0.
 template <class T, std::size_t n, std::size_t b>
 class alignas(b) Sign_history
 {
@@ -87,7 +88,7 @@ public:
     for (std::size_t i = 0; i < registers; ++i) m_bits[i] = (m_bits[i] >> 1) | (signs.bits(i) & last);
   }
 
-  // The signs of `signs` of the lanes that have bit i.
+  // The signs of `signs` of the numbers that have bit i.
   CGAL_ANIMATED_MESH_FEATURES_INLINE Sign_history that_have(std::size_t i, const Sign_mask<T, n, b>& signs) const
   {
     Sign_history result;
@@ -97,7 +98,7 @@ public:
     return result;
   }
 
-  // the bits that any lane has
+  // the bits that any number has
   CGAL_ANIMATED_MESH_FEATURES_INLINE Integer any() const
   {
     Bits all = m_bits[0];

@@ -29,23 +29,23 @@ struct Half_register<16>
 };
 #endif
 
-// Pack of double from numbers of either type, and back.
-template <class L>
-CGAL_ANIMATED_MESH_FEATURES_INLINE L load_pack(const double* from)
+// A pack of double from numbers of either type, and back.
+template <class P>
+CGAL_ANIMATED_MESH_FEATURES_INLINE P load_pack(const double* from)
 {
-  return L::load(from);
+  return P::load(from);
 }
 
-template <class L>
-CGAL_ANIMATED_MESH_FEATURES_INLINE L load_pack(const float* from)
+template <class P>
+CGAL_ANIMATED_MESH_FEATURES_INLINE P load_pack(const float* from)
 {
-  L result;
-  constexpr std::size_t n = L::size / L::registers;
+  P result;
+  constexpr std::size_t n = P::size / P::registers;
   CGAL_ANIMATED_MESH_FEATURES_UNROLL
-  for (std::size_t i = 0; i < L::registers; ++i) {
+  for (std::size_t i = 0; i < P::registers; ++i) {
 #ifdef CGAL_ANIMATED_MESH_FEATURES_HAS_VECTOR_TYPES
-    typedef typename Half_register<sizeof(typename L::Register_type)>::type Half;
-    result.r[i] = __builtin_convertvector(*reinterpret_cast<const Half*>(from + i * n), typename L::Register_type);
+    typedef typename Half_register<sizeof(typename P::Register_type)>::type Half;
+    result.r[i] = __builtin_convertvector(*reinterpret_cast<const Half*>(from + i * n), typename P::Register_type);
 #else
     result.r[i] = double(from[i * n]);
 #endif
@@ -62,10 +62,10 @@ CGAL_ANIMATED_MESH_FEATURES_INLINE void store_pack(const Pack<double, n, b>& x, 
 template <std::size_t n, std::size_t b>
 CGAL_ANIMATED_MESH_FEATURES_INLINE void store_pack(const Pack<double, n, b>& x, float* to)
 {
-  typedef Pack<double, n, b> L;
-  constexpr std::size_t m = n / L::registers;
+  typedef Pack<double, n, b> P;
+  constexpr std::size_t m = n / P::registers;
   CGAL_ANIMATED_MESH_FEATURES_UNROLL
-  for (std::size_t i = 0; i < L::registers; ++i) {
+  for (std::size_t i = 0; i < P::registers; ++i) {
 #ifdef CGAL_ANIMATED_MESH_FEATURES_HAS_VECTOR_TYPES
     typedef typename Half_register<b>::type Half;
     *reinterpret_cast<Half*>(to + i * m) = __builtin_convertvector(x.r[i], Half);

@@ -25,7 +25,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// Functions of lanes, without branches. Each operation is rounded as that of a single number is, so that results do not
+// Functions of packs, without branches. Each operation is rounded as that of a single number is, so that results do not
 // depend on the width of the registers.
 
 template <class T, std::size_t n, std::size_t b>
@@ -133,7 +133,7 @@ CGAL_ANIMATED_MESH_FEATURES_INLINE Pack<T, n, b> sqrt(const Pack<T, n, b>& x)
 template <class T, std::size_t n, std::size_t b>
 CGAL_ANIMATED_MESH_FEATURES_INLINE Pack<T, n, b> log(const Pack<T, n, b>& x)
 {
-  typedef Pack<T, n, b> L;
+  typedef Pack<T, n, b> P;
   typedef std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t> Integer;
   typedef typename Register<Integer, b>::type Bits;
   constexpr int digits = std::numeric_limits<T>::digits - 1;                           // of a mantissa, as it is stored
@@ -143,9 +143,9 @@ CGAL_ANIMATED_MESH_FEATURES_INLINE Pack<T, n, b> log(const Pack<T, n, b>& x)
   // Adding this to an integer makes the bits of a number that is larger by `large`.
   constexpr T large = T(Integer(3) << (digits - 1));
   constexpr Integer large_bits = one + (Integer(digits) << digits) + (Integer(1) << (digits - 1));
-  L mantissa, exponent;
+  P mantissa, exponent;
   CGAL_ANIMATED_MESH_FEATURES_UNROLL
-  for (std::size_t i = 0; i < L::registers; ++i) {
+  for (std::size_t i = 0; i < P::registers; ++i) {
     Bits bits;
     std::memcpy(&bits, &x.r[i], b);
     // positive, as x is at least the smallest normal number
@@ -157,10 +157,10 @@ CGAL_ANIMATED_MESH_FEATURES_INLINE Pack<T, n, b> log(const Pack<T, n, b>& x)
     std::memcpy(&exponent.r[i], &number, b);
   }
   exponent = exponent - large;
-  const L s = (mantissa - T(1)) / (mantissa + T(1)), square = s * s;
+  const P s = (mantissa - T(1)) / (mantissa + T(1)), square = s * s;
   // |s| < 0.172: 0.172^(2 i) / (2 i + 1) is below the rounding at i = 5 for float, i = 11 for double
   constexpr int terms = sizeof(T) == sizeof(float) ? 5 : 11;
-  L sum = L::all(T(2) / T(2 * terms - 1));
+  P sum = P::all(T(2) / T(2 * terms - 1));
   CGAL_ANIMATED_MESH_FEATURES_UNROLL
   for (int i = 0; i < terms - 1; ++i) sum = sum * square + T(2) / T(2 * (terms - 2 - i) + 1);
   return exponent * T(0.69314718055994531) + s * sum;

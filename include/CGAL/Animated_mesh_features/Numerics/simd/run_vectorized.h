@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <type_traits>
 
-// CGAL_ANIMATED_MESH_FEATURES_BASELINE_ONLY leaves out the kernels for other instructions than the program's: they triple
+// CGAL_ANIMATED_MESH_FEATURES_BASELINE_ONLY leaves out the loops for other instructions than the program's: they triple
 // the time to compile the search, and more than that under sanitizers, which look at every access that is inlined.
 #if defined(__x86_64__) && defined(CGAL_ANIMATED_MESH_FEATURES_HAS_VECTOR_TYPES) && \
     !defined(CGAL_ANIMATED_MESH_FEATURES_BASELINE_ONLY)
@@ -61,42 +61,41 @@ struct Baseline_register
 
 #ifdef CGAL_ANIMATED_MESH_FEATURES_CHOOSES_INSTRUCTIONS
 // Flattened, since a function that is called, not inlined, is compiled for the baseline.
-template <class Kernel>
-__attribute__((target("avx2"), flatten, noinline)) void run_avx2(Kernel& kernel)
+template <class Vector_loop>
+__attribute__((target("avx2"), flatten, noinline)) void run_avx2(Vector_loop& loop)
 {
-  kernel.template run<32>();
+  loop.template run<32>();
 }
 
-template <class Kernel>
-__attribute__((target("avx512f,avx512dq,avx512vl"), flatten, noinline)) void run_avx512(Kernel& kernel)
+template <class Vector_loop>
+__attribute__((target("avx512f,avx512dq,avx512vl"), flatten, noinline)) void run_avx512(Vector_loop& loop)
 {
-  kernel.template run<64>();
+  loop.template run<64>();
 }
 #endif
 
-// Calls kernel.run<bytes in a register>() with the instructions of a set that this processor has. T is the kernel's
-// scalar.
-template <class T, class Kernel>
-void run_vectorized(Instruction_set instructions, Kernel& kernel)
+// Calls loop.run<bytes in a register>() with the instructions of a set that this processor has. T is the loop's scalar.
+template <class T, class Vector_loop>
+void run_vectorized(Instruction_set instructions, Vector_loop& loop)
 {
 #ifdef CGAL_ANIMATED_MESH_FEATURES_CHOOSES_INSTRUCTIONS
-  if (instructions == Instruction_set::AVX512) return run_avx512(kernel);
-  if (instructions == Instruction_set::AVX2) return run_avx2(kernel);
+  if (instructions == Instruction_set::AVX512) return run_avx512(loop);
+  if (instructions == Instruction_set::AVX2) return run_avx2(loop);
 #endif
   (void)instructions;
-  kernel.template run<Baseline_register<T>::value>();
+  loop.template run<Baseline_register<T>::value>();
 }
 
 // The same with AVX2 at most, so that what is computed has the same bits whatever the processor: with AVX512 come fused
-// operations, which the compiler uses where it can. For results that are kept; the kernel needs no run<64>().
-template <class T, class Kernel>
-void run_reproducibly(Instruction_set instructions, Kernel& kernel)
+// operations, which the compiler uses where it can. For results that are kept; the loop needs no run<64>().
+template <class T, class Vector_loop>
+void run_reproducibly(Instruction_set instructions, Vector_loop& loop)
 {
 #ifdef CGAL_ANIMATED_MESH_FEATURES_CHOOSES_INSTRUCTIONS
-  if (instructions >= Instruction_set::AVX2) return run_avx2(kernel);
+  if (instructions >= Instruction_set::AVX2) return run_avx2(loop);
 #endif
   (void)instructions;
-  kernel.template run<Baseline_register<T>::value>();
+  loop.template run<Baseline_register<T>::value>();
 }
 
 } // namespace internal

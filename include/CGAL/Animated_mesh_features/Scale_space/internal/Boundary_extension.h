@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// The values that a row has before its first frame and behind its last one.
+// The values that a row has before its first frame and after its last one.
 class Boundary_extension
 {
 public:
@@ -35,7 +35,7 @@ public:
 
   std::size_t number_of_frames() const { return m_frames; }
 
-  // A pointer to the frame that has the value of frame f, and behind it those of f + 1, ...; number_of_frames() for none.
+  // A pointer to the frame that has the value of frame f, followed by those of f + 1, ...; number_of_frames() for none.
   const std::size_t* sources(std::ptrdiff_t f) const { return m_sources.data() + (f + std::ptrdiff_t(m_margin)); }
 
   template <class T>

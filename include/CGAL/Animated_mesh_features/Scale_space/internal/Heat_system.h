@@ -9,9 +9,8 @@
 
 #include <CGAL/Animated_mesh_features/Animation/Animation_report.h>
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
-#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/Nested_dissection.h>
-#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/Cholesky_factor.h>
-#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/Symbolic_factorization.h>
+#include <CGAL/Animated_mesh_features/Numerics/Compressed_rows.h>
+#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/Sparse_cholesky.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -27,11 +26,10 @@ class Heat_system
 {
 public:
   explicit Heat_system(const Rest_shape& shape)
-    : m_neighbours(shape.neighbours())
+    : m_symbolic(shape.neighbours(), shape.points())
     , m_mass(shape.number_of_vertices(), 0)
-    , m_weights(m_neighbours.number_of_entries(), 0)
+    , m_weights(neighbours().number_of_entries(), 0)
     , m_diagonal(shape.number_of_vertices(), 0)
-    , m_symbolic(m_neighbours, Nested_dissection(m_neighbours, shape.points()).order())
   {
     for (Rest_shape::Index t : shape.ordered_triangles()) {
       if (is_degenerate(shape, t)) continue;
@@ -57,37 +55,36 @@ public:
   }
 
   std::size_t size() const { return m_mass.size(); }
-  const Symbolic_factorization& symbolic() const { return m_symbolic; }
+  const Symbolic_cholesky& symbolic() const { return m_symbolic; }
   const std::vector<double>& mass() const { return m_mass; }
-  const Compressed_rows& neighbours() const { return m_neighbours; }
+  const Compressed_rows& neighbours() const { return m_symbolic.neighbours(); }
 
   // -L, for each of the neighbours of v.
   const double* weights(std::size_t v) const { return m_weights.data() + first_entry(v); }
 
   // of M + t L
   template <class T>
-  Cholesky_factor<T> factor(double t, Instruction_set instructions) const
+  Sparse_cholesky<T> factor(double t, Instruction_set instructions) const
   {
-    return Cholesky_factor<T>(
-        m_symbolic, m_neighbours, [&](std::size_t v) { return m_mass[v] + t * m_diagonal[v]; },
+    return Sparse_cholesky<T>(
+        m_symbolic, [&](std::size_t v) { return m_mass[v] + t * m_diagonal[v]; },
         [&](std::size_t v, std::size_t k) { return -t * m_weights[first_entry(v) + k]; }, instructions);
   }
 
 private:
   std::size_t first_entry(std::size_t v) const
   {
-    return std::size_t(m_neighbours[v].begin() - m_neighbours[0].begin());
+    return std::size_t(neighbours()[v].begin() - neighbours()[0].begin());
   }
 
   std::size_t entry(Rest_shape::Index v, Rest_shape::Index w) const
   {
-    const Compressed_rows::Row row = m_neighbours[v];
+    const Compressed_rows::Row row = neighbours()[v];
     return first_entry(v) + std::size_t(std::lower_bound(row.begin(), row.end(), w) - row.begin());
   }
 
-  Compressed_rows m_neighbours; // a copy, as filters live on when shapes are gone
+  Symbolic_cholesky m_symbolic; // with a copy of the neighbours, as filters live on when shapes are gone
   std::vector<double> m_mass, m_weights, m_diagonal;
-  Symbolic_factorization m_symbolic;
 };
 
 } // namespace internal

@@ -8,7 +8,7 @@
 #define CGAL_ANIMATED_MESH_FEATURES_NUMERICS_SPARSE_CHOLESKY_INTERNAL_FRONT_FACTORIZATION_H
 
 #include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
-#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/Symbolic_factorization.h>
+#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/Cholesky_panel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,22 +19,23 @@ namespace Animated_mesh_features {
 namespace internal {
 
 // The dense part of a factorisation, for run_reproducibly(): the Cholesky factor L of a panel, in place, and what its
-// columns leave for the rows below, U -= L L^T. Each entry is subtracted its products from in the order of the columns,
-// hence the bits do not depend on the width of the registers.
+// columns leave for the rows below, U -= L L^T. Products are subtracted from an entry in the order of the columns, so
+// that the bits do not depend on the width of the registers.
 struct Front_factorization
 {
-  static constexpr std::size_t tile = Symbolic_factorization::tile;
+  typedef Cholesky_panel Panel;
+  static constexpr std::size_t tile = Panel::tile;
 
-  const Symbolic_factorization::Panel* panel;
-  double* values; // as Symbolic_factorization has them; the diagonal is replaced by its reciprocals
+  const Panel* panel;
+  double* values; // as Cholesky_panel has them; the diagonal is replaced by its reciprocals
   double* update; // the columns of a square matrix, from the diagonal's tile on; rows filled up to tiles
   bool positive_definite = true;
 
   template <std::size_t register_bytes>
   CGAL_ANIMATED_MESH_FEATURES_INLINE void run()
   {
-    const std::size_t width = panel->width, triangle = Symbolic_factorization::number_of_tiles(width);
-    const std::size_t below = Symbolic_factorization::number_of_tiles(panel->height);
+    const std::size_t width = panel->width, triangle = Panel::number_of_tiles(width);
+    const std::size_t below = Panel::number_of_tiles(panel->height);
     for (std::size_t j = 0; j < triangle; ++j) {
       const std::size_t columns = (std::min)(tile, width - tile * j);
       for (std::size_t i = j; i < triangle + below; i += 2) {
@@ -59,9 +60,9 @@ struct Front_factorization
 private:
   CGAL_ANIMATED_MESH_FEATURES_INLINE double* tile_of_rows(std::size_t i) const
   {
-    const std::size_t triangle = Symbolic_factorization::number_of_tiles(panel->width);
-    if (i < triangle) return values + Symbolic_factorization::triangle_tiles(i);
-    return values + Symbolic_factorization::triangle_size(panel->width) + (i - triangle) * tile * panel->width;
+    const std::size_t triangle = Panel::number_of_tiles(panel->width);
+    if (i < triangle) return values + Panel::triangle_tiles(i);
+    return values + Panel::triangle_size(panel->width) + (i - triangle) * tile * panel->width;
   }
 
   // sums[t][c] = sum over k < count of a_t[k] b[k][c]
@@ -138,8 +139,8 @@ private:
   CGAL_ANIMATED_MESH_FEATURES_INLINE void reduce_update(std::size_t i, std::size_t j)
   {
     typedef Pack<double, tile, register_bytes> Column;
-    const std::size_t triangle = Symbolic_factorization::number_of_tiles(panel->width);
-    const std::size_t stride = Symbolic_factorization::number_of_tiles(panel->height) * tile;
+    const std::size_t triangle = Panel::number_of_tiles(panel->width);
+    const std::size_t stride = Panel::number_of_tiles(panel->height) * tile;
     const std::size_t columns = (std::min)(tile, panel->height - tile * j);
     const double* a[tiles];
     for (std::size_t t = 0; t < tiles; ++t) a[t] = tile_of_rows(triangle + i + t);

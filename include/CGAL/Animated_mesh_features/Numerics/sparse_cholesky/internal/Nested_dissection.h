@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_ANIMATED_MESH_FEATURES_NUMERICS_SPARSE_CHOLESKY_NESTED_DISSECTION_H
-#define CGAL_ANIMATED_MESH_FEATURES_NUMERICS_SPARSE_CHOLESKY_NESTED_DISSECTION_H
+#ifndef CGAL_ANIMATED_MESH_FEATURES_NUMERICS_SPARSE_CHOLESKY_INTERNAL_NESTED_DISSECTION_H
+#define CGAL_ANIMATED_MESH_FEATURES_NUMERICS_SPARSE_CHOLESKY_INTERNAL_NESTED_DISSECTION_H
 
 #include <CGAL/Animated_mesh_features/Numerics/Compressed_rows.h>
 #include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/minimum_degree_order.h>
@@ -36,8 +36,8 @@ public:
   typedef Compressed_rows::Index Index;
 
   // Parts up to this size are ordered by minimum degree, which is as good for them as cutting them, and sooner done
-  // (measured; beyond, minimum degree falls behind: at a million vertices in rows and columns to 1.7 times the entries
-  // and 4 times the operations).
+  // (measured; for a million vertices in rows and columns, minimum degree alone needs 1.7 times the entries and 4 times
+  // the operations).
   static constexpr std::size_t largest_part = 16000;
 
   // `points`: of the vertices, anything with three coordinates.
@@ -157,9 +157,9 @@ private:
         const auto bin = [&](const Place& p) { return std::size_t((p[k] - low[k]) / width[k]); };
         const std::size_t own = bin(m_places[v]), from = bin(lowest), to = bin(highest);
         ++counts[own][k].vertices;
-        ++counts[own][k].below; // of the planes behind the bins [own, to)
+        ++counts[own][k].below; // of the planes at the upper ends of the bins [own, to)
         --counts[to][k].below;
-        ++counts[from][k].above; // of those behind [from, own)
+        ++counts[from][k].above; // of those of [from, own)
         --counts[own][k].above;
       }
     }
@@ -240,4 +240,4 @@ private:
 } // namespace Animated_mesh_features
 } // namespace CGAL
 
-#endif // CGAL_ANIMATED_MESH_FEATURES_NUMERICS_SPARSE_CHOLESKY_NESTED_DISSECTION_H
+#endif // CGAL_ANIMATED_MESH_FEATURES_NUMERICS_SPARSE_CHOLESKY_INTERNAL_NESTED_DISSECTION_H
