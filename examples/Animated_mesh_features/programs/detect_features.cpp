@@ -95,7 +95,7 @@ void run(const Command_line& command_line)
   });
   log.end();
   // now rather than after hours of computation
-  AMF::IO::check_picture_frames(command_line.picture, animation.sequence().number_of_frames());
+  Programs::check_picture_frames(command_line.picture, animation.sequence().number_of_frames());
   if (command_line.verbose)
     std::cerr << animation_report(command_line, animation) << memory_plan.report() << '\n' << std::flush;
 

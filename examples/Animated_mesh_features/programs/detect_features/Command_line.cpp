@@ -131,7 +131,8 @@ po::options_description described_options(Command_line& c, Text& t)
              "a scene for Blender and other viewers of glTF: the moving surface, coloured by its deformation, with the "
              "features as spheres that come and go");
   add_output("plot", text(t.plot, "FILE"),
-             "a plot (SVG) of the features over time, and of how many there are of which sigma and tau");
+             "a plot of the features over time, and of how many there are of which sigma and tau: .svg, .pdf or .png by its "
+             "ending, SVG on the standard output");
   add_output("png", text(t.png, "FILE"),
              "a picture (PNG) of the surface, coloured by the deformation, with the features as spheres (radius sqrt(2) "
              "sigma; blue: long, red: short), in the frames that --frame tells (default: those of the strongest "
@@ -396,7 +397,7 @@ void set_picture(const Text& t, Command_line& c)
       throw Option_error("--up: there is no \"" + t.up + "\"; choose among x, y, z");
     c.picture.up_axis = t.up[0] - 'x';
   }
-  CGAL::Animated_mesh_features::IO::check_picture_options(c.picture);
+  Programs::check_picture_options(c.picture);
 }
 
 // Files that show the features on the surface; whoever asks for one does not ask for JSON on the standard output.
@@ -411,8 +412,9 @@ void set_scenes(const Text& t, Command_line& c)
   add(Scene_format::PLOT, t.plot);
   add(Scene_format::PNG, t.png);
 #ifndef DETECT_FEATURES_WITH_PICTURES
-  if (!t.png.empty())
-    throw Option_error("--png: this program was built without pictures: zlib was missing, or they were switched off");
+  if (!t.png.empty() || !t.plot.empty())
+    throw Option_error(std::string(t.png.empty() ? "--plot" : "--png") +
+                       ": this program was built without pictures: cairo was missing, or switched off");
 #endif
   if (!t.html_every.empty()) {
     if (t.html.empty()) throw Option_error("--html-every goes with --html, the page that it is about");

@@ -84,7 +84,7 @@ struct Command_line
   std::string vertex_map; // empty: none
   std::vector<Requested_file<Scene_format>> scenes;
   std::size_t html_frame_step = 0; // 0: as the size of the page allows
-  CGAL::Animated_mesh_features::IO::Picture_options picture;
+  Programs::Picture_options picture;
 
   std::size_t threads = 0;           // 0: all
   std::optional<std::size_t> memory; // bytes

@@ -55,7 +55,7 @@ std::string short_usage()
   tell(reads_through_assimp, "FBX, Collada, X (.fbx, .dae, .x)");
   tell(reads_hdf5, "HDF5 (.h5, .hdf5)");
   tell(missing_viewer().empty(), "--html");
-  tell(draws_pictures, "--png");
+  tell(draws_pictures, "--png, --plot");
 
   std::string text =
       R"(detect_features finds where, when, how large and how long a moving triangle mesh deforms distinctively.

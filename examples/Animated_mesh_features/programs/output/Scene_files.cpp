@@ -10,13 +10,17 @@
 
 #include <CGAL/Animated_mesh_features/IO/Output_file.h>
 #include <CGAL/Animated_mesh_features/IO/Output_folder.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include "scenes/write_glb.h"
-#include "plots/write_plot.h"
 #ifdef DETECT_FEATURES_WITH_PICTURES
   #include "pictures/write_png.h"
+  #include "plots/write_plot.h"
 #endif
 #include "scenes/write_vtk.h"
 
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -70,6 +74,21 @@ std::unique_ptr<Scene_file> single_file(const std::string& path, Write write)
   return std::make_unique<Single_file<Write>>(path, std::move(write));
 }
 
+#ifdef DETECT_FEATURES_WITH_PICTURES
+// The standard output has no ending.
+Programs::Drawing_format plot_format(const std::string& path)
+{
+  using Programs::Drawing_format;
+  std::string ending = path == "-" ? ".svg" : std::filesystem::path(path).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  if (ending == ".svg") return Drawing_format::SVG;
+  if (ending == ".pdf") return Drawing_format::PDF;
+  if (ending == ".png") return Drawing_format::PNG;
+  throw AMF::Option_error("--plot " + path + ": the format is not clear from the ending (.svg, .pdf, .png)");
+}
+#endif
+
 std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested, const Command_line& c)
 {
   switch (requested.kind) {
@@ -77,15 +96,18 @@ std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested, 
   case Scene_format::VTK: return std::make_unique<Vtk_folder>(requested.path);
   case Scene_format::GLB:
     return single_file(requested.path, [](std::ostream& os, const Shown_scene& scene) { AMF::IO::write_glb(os, scene); });
-  case Scene_format::PLOT:
-    return single_file(requested.path, [](std::ostream& os, const Shown_scene& scene) { AMF::IO::write_plot(os, scene); });
-  case Scene_format::PNG:
 #ifdef DETECT_FEATURES_WITH_PICTURES
+  case Scene_format::PLOT:
+    return single_file(requested.path, [format = plot_format(requested.path)](std::ostream& os, const Shown_scene& scene) {
+      Programs::write_plot(os, scene, format);
+    });
+  case Scene_format::PNG:
     return single_file(requested.path, [options = c.picture](std::ostream& os, const Shown_scene& scene) {
-      AMF::IO::write_png(os, scene, options);
+      Programs::write_png(os, scene, options);
     });
 #else
-    break; // refused by the command line
+  case Scene_format::PLOT:
+  case Scene_format::PNG: break; // refused by the command line
 #endif
   }
   return nullptr;

@@ -93,8 +93,8 @@ private:
       out.raw(", ").member("min", m_fields[i].min()).raw(", ").member("max", m_fields[i].max());
       out.raw(", ").member("largest", m_fields[i].largest()).raw("}");
     }
-    out.raw("],\n \"colours\": {").member("field", samples(Animated_mesh_features::Rendering::field_colours()));
-    out.raw(",\n  ").member("duration", samples(Animated_mesh_features::Rendering::duration_colours())).raw("},\n ");
+    out.raw("],\n \"colours\": {").member("field", samples(Programs::Rendering::field_colours()));
+    out.raw(",\n  ").member("duration", samples(Programs::Rendering::duration_colours())).raw("},\n ");
     write_json_features(out, m_scene.features);
     out.raw("}\n").flush();
 
@@ -125,11 +125,11 @@ private:
   }
 
   // Colours of a map from 0 to 1: so many that it is straight between them, to within rounding.
-  static std::vector<std::string> samples(const Animated_mesh_features::Rendering::Colour_map& map)
+  static std::vector<std::string> samples(const Programs::Rendering::Colour_map& map)
   {
     const std::size_t n = 129;
     std::vector<std::string> result;
-    using namespace Animated_mesh_features::Rendering;
+    using namespace Programs::Rendering;
     for (std::size_t i = 0; i < n; ++i) result.push_back(hexadecimal(encoded(map(double(i) / double(n - 1)))));
     return result;
   }

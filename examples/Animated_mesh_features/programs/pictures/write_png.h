@@ -8,38 +8,17 @@
 #define PROGRAMS_PICTURES_WRITE_PNG_H
 
 #include "pictures/Picture_options.h"
-#include "scenes/Scene.h"
-#include "pictures/Png_encoder.h"
-#include "pictures/picture_of_scene.h"
+#include "scenes/Shown_scene.h"
 
 #include <ostream>
-#include <string>
 
-namespace CGAL {
-namespace Animated_mesh_features {
-namespace IO {
+namespace Programs {
 
-/*!
-\ingroup PkgAnimatedMeshFeaturesWriting
+// Writes a picture of a scene, see `picture_of_scene()` also for what is thrown, as PNG: 8 bits a channel, to be taken as
+// sRGB, as everything does that is told nothing else. The stream is a binary one; errors are left in its state,
+// `Output_file` reports them.
+void write_png(std::ostream& os, const Shown_scene& scene, const Picture_options& options = Picture_options());
 
-writes a picture of a scene, see `picture_of_scene()`, as PNG: 8 bits a channel, sRGB. Needs zlib.
-
-\param os a binary stream; errors are left in its state, `Output_file` reports them
-\param scene,options what is shown, and how
-
-\throws Option_error as `picture_of_scene()`
-\throws Input_error as `picture_of_scene()`
-*/
-template <class Sequence, class Feature>
-void write_png(std::ostream& os, const Scene<Sequence, Feature>& scene,
-               const Picture_options& options = Picture_options())
-{
-  const std::string png = internal::encoded_png(picture_of_scene(scene, options));
-  os.write(png.data(), std::streamsize(png.size()));
-}
-
-} // namespace IO
-} // namespace Animated_mesh_features
-} // namespace CGAL
+} // namespace Programs
 
 #endif // PROGRAMS_PICTURES_WRITE_PNG_H

@@ -7,41 +7,24 @@
 #ifndef PROGRAMS_PLOTS_WRITE_PLOT_H
 #define PROGRAMS_PLOTS_WRITE_PLOT_H
 
-#include "scenes/Scene.h"
-#include "plots/Feature_plot.h"
+#include "drawing/Drawing_format.h"
+#include "scenes/Shown_scene.h"
 
 #include <ostream>
-#include <string>
 
-namespace CGAL {
-namespace Animated_mesh_features {
-namespace IO {
+namespace Programs {
 
-/*!
-\ingroup PkgAnimatedMeshFeaturesWriting
+// Writes a plot of features as a drawing:
+//
+// - Above, the features over time: a circle at the time (seconds) and the strength, with a radius in proportion to sigma,
+//   and a bar as long as tau; colours are from red for the smallest tau to blue for the largest.
+// - Below, how many features there are of which sigma (length) and of which tau (seconds), on logarithmic axes. They are
+//   left out if there are no features.
+//
+// The fields of the scene are not used. Errors of the stream are left in its state, `Output_file` reports them.
+// throws what check_scene() does if the scene does not fit together; Output_error if cairo cannot draw.
+void write_plot(std::ostream& os, const Shown_scene& scene, Drawing_format format);
 
-writes a plot of features as a drawing (SVG): for browsers and documents, light or dark as its surroundings are.
-
-- Above, the features over time: a circle at the time (seconds) and the strength, with a radius in proportion to
-  \f$\sigma\f$, and a bar as long as \f$\tau\f$; colours are from red for the smallest \f$\tau\f$ to blue for the largest.
-  Pointing at a feature shows its numbers.
-- Below, how many features there are of which \f$\sigma\f$ (length) and of which \f$\tau\f$ (seconds), on logarithmic
-  axes. They are left out if there are no features.
-
-\param os errors are left in its state, `Output_file` reports them.
-\param scene see `check_scene()` for what is thrown if it does not fit together. Its fields are not used.
-*/
-template <class Sequence, class Feature>
-void write_plot(std::ostream& os, const Scene<Sequence, Feature>& scene)
-{
-  check_scene(scene);
-  const internal::Feature_plot<Sequence, Feature> plot(scene);
-  const std::string& svg = plot.svg();
-  os.write(svg.data(), static_cast<std::streamsize>(svg.size()));
-}
-
-} // namespace IO
-} // namespace Animated_mesh_features
-} // namespace CGAL
+} // namespace Programs
 
 #endif // PROGRAMS_PLOTS_WRITE_PLOT_H

@@ -9,154 +9,44 @@
 
 #include <Eigen/Core>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <string>
 
-namespace CGAL {
-namespace Animated_mesh_features {
-namespace Rendering {
+namespace Programs::Rendering {
 
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
-
-a colour in linear light, with the primaries of sRGB: what light adds up in.
-*/
+// A colour in linear light, with the primaries of sRGB: what light adds up in.
 typedef Eigen::Array3f Colour;
 
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
-
-8 bits a channel, encoded as sRGB (IEC 61966-2-1): what screens and files have.
-*/
+// 8 bits a channel, encoded as sRGB (IEC 61966-2-1): what screens and files have.
 typedef std::array<std::uint8_t, 3> Srgb8;
 
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
+Colour linear(const Srgb8& c);
 
-decodes a channel of sRGB, 0 to 1.
-*/
-inline float linear_from_srgb(float s)
-{
-  return s <= 0.04045f ? s / 12.92f : std::pow((s + 0.055f) / 1.055f, 2.4f);
-}
+// Clamped to what sRGB has, and rounded.
+Srgb8 encoded(const Colour& c);
 
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
+// `#rrggbb`, as style sheets have it.
+std::string hexadecimal(const Srgb8& c);
 
-encodes a channel as sRGB, 0 to 1.
-*/
-inline float srgb_from_linear(float l)
-{
-  return l <= 0.0031308f ? 12.92f * l : 1.055f * std::pow(l, 1 / 2.4f) - 0.055f;
-}
-
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
-
-decodes a colour.
-*/
-inline Colour linear(const Srgb8& c)
-{
-  return Colour(linear_from_srgb(float(c[0]) / 255), linear_from_srgb(float(c[1]) / 255),
-                linear_from_srgb(float(c[2]) / 255));
-}
-
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
-
-encodes a colour, clamped to what sRGB has and rounded.
-*/
-inline Srgb8 encoded(const Colour& c)
-{
-  Srgb8 result;
-  for (int i = 0; i < 3; ++i) {
-    const float s = srgb_from_linear((std::min)(1.f, (std::max)(0.f, c[i])));
-    result[std::size_t(i)] = std::uint8_t(s * 255 + 0.5f);
-  }
-  return result;
-}
-
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
-
-`#rrggbb`, as style sheets have it.
-*/
-inline std::string hexadecimal(const Srgb8& c)
-{
-  const char* const digits = "0123456789abcdef";
-  std::string text = "#";
-  for (const std::uint8_t x : c) {
-    text += digits[x / 16];
-    text += digits[x % 16];
-  }
-  return text;
-}
-
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
-
-the colour a fraction `t` of the way from `a` to `b`, in linear light.
-*/
+// The colour a fraction `t` of the way from `a` to `b`, in linear light. Inline, as what is called for every sample.
 inline Colour mix(const Colour& a, const Colour& b, float t)
 {
   return a + t * (b - a);
 }
 
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
-
-relative luminance, 0 to 1.
-*/
+// Relative luminance, 0 to 1.
 inline float luminance(const Colour& c)
 {
   return 0.2126f * c[0] + 0.7152f * c[1] + 0.0722f * c[2];
 }
 
-namespace internal {
+// CIELAB (D65) of a colour: distances in it are about what people see.
+Eigen::Array3d lab_from_linear(const Colour& c);
 
-// the white point D65 of sRGB, in CIE XYZ
-inline Eigen::Array3d white_point()
-{
-  return Eigen::Array3d(0.95047, 1, 1.08883);
-}
+// The colour of a place in CIELAB (D65), clamped to what sRGB has.
+Colour linear_from_lab(const Eigen::Array3d& lab);
 
-} // namespace internal
-
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
-
-CIELAB (D65) of a colour: distances in it are about what people see.
-*/
-inline Eigen::Array3d lab_from_linear(const Colour& c)
-{
-  Eigen::Matrix3d to_xyz;
-  to_xyz << 0.4124564, 0.3575761, 0.1804375, 0.2126729, 0.7151522, 0.0721750, 0.0193339, 0.1191920, 0.9503041;
-  const Eigen::Array3d xyz = (to_xyz * c.cast<double>().matrix()).array() / internal::white_point();
-  const auto f = [](double t) { return t > 216. / 24389 ? std::cbrt(t) : (24389. / 27 * t + 16) / 116; };
-  const Eigen::Array3d g(f(xyz[0]), f(xyz[1]), f(xyz[2]));
-  return Eigen::Array3d(116 * g[1] - 16, 500 * (g[0] - g[1]), 200 * (g[1] - g[2]));
-}
-
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
-
-the colour of a place in CIELAB (D65), clamped to what sRGB has.
-*/
-inline Colour linear_from_lab(const Eigen::Array3d& lab)
-{
-  const double y = (lab[0] + 16) / 116;
-  const auto f = [](double t) { return t > 6. / 29 ? t * t * t : (116 * t - 16) * 27 / 24389; };
-  const Eigen::Array3d xyz = Eigen::Array3d(f(y + lab[1] / 500), f(y), f(y - lab[2] / 200)) * internal::white_point();
-  Eigen::Matrix3d from_xyz;
-  from_xyz << 3.2404542, -1.5371385, -0.4985314, -0.9692660, 1.8760108, 0.0415560, 0.0556434, -0.2040259, 1.0572252;
-  return (from_xyz * xyz.matrix()).array().cast<float>().max(0.f).min(1.f);
-}
-
-} // namespace Rendering
-} // namespace Animated_mesh_features
-} // namespace CGAL
+} // namespace Programs::Rendering
 
 #endif // PROGRAMS_RENDERING_COLOUR_H

@@ -8,54 +8,25 @@
 #define PROGRAMS_RENDERING_DEPTH_MAP_H
 
 #include "rendering/Surface.h"
-#include "rendering/Triangle_scan.h"
 
 #include <Eigen/Core>
-#include <Eigen/Geometry>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Animated_mesh_features {
-namespace Rendering {
+namespace Programs::Rendering {
 
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
-
-How far a surface reaches towards a light: tells which points are in its shadow.
-*/
+// How far a surface reaches towards a light: tells which points are in its shadow.
 class Depth_map
 {
 public:
-  /// looks at a surface from the light.
-  /// \param surface casts the shadow; is not kept
-  /// \param centre,radius a sphere around the surface
-  /// \param to_light the direction, unit vector
-  Depth_map(const Surface& surface, const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& to_light)
-    : m_u(to_light.unitOrthogonal())
-    , m_v(to_light.cross(m_u))
-    , m_w(to_light)
-    , m_centre(centre)
-    , m_scale(double(size) / (2 * radius))
-    , m_height(std::size_t(size * size), -(std::numeric_limits<float>::max)())
-  {
-    std::vector<Eigen::Vector3d> projected(surface.points.size());
-    for (std::size_t i = 0; i < projected.size(); ++i) projected[i] = place(surface.points[i]);
-    for (const Surface::Triangle& t : surface.triangles)
-      internal::Triangle_scan(projected[t[0]], projected[t[1]],
-                              projected[t[2]])(1, 0, size, 0, size, [this](long x, long y, double height) {
-        float& h = m_height[std::size_t(y * size + x)];
-        h = (std::max)(h, float(height));
-      });
-  }
+  // Looks at a surface, which is not kept, from the light. `centre` and `radius` are of a sphere around the surface,
+  // `to_light` is a unit vector.
+  Depth_map(const Surface& surface, const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& to_light);
 
-  /// how much of the light reaches a point, 0 to 1, interpolated between texels.
-  /// \param point anywhere; outside of the map there is no shadow
-  /// \param normal points on a surface shadow themselves: they are moved along their normal by one or two texels.
+  // How much of the light reaches a point, 0 to 1, interpolated between texels; outside of the map there is no shadow.
+  // Points on a surface shadow themselves: they are moved along their normal by one or two texels. Inline, because it
+  // is asked for every point and light.
   float visibility(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const
   {
     const double away = 1.5; // texels: half the diagonal of the interpolated ones, for slopes of up to 45 degrees
@@ -86,8 +57,6 @@ private:
   std::vector<float> m_height;
 };
 
-} // namespace Rendering
-} // namespace Animated_mesh_features
-} // namespace CGAL
+} // namespace Programs::Rendering
 
 #endif // PROGRAMS_RENDERING_DEPTH_MAP_H

@@ -12,39 +12,28 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Animated_mesh_features {
-namespace Rendering {
+namespace Programs::Rendering {
 
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
-
-a rectangle of pixels, row by row from the top left.
-*/
+// A rectangle of pixels, row by row from the top left.
 template <class Pixel>
 class Image_of
 {
 public:
-  /// no pixels.
-  Image_of() = default;
+  Image_of() = default; // no pixels
 
-  /// an image of one colour.
   Image_of(std::size_t width, std::size_t height, const Pixel& pixel = Pixel())
     : m_width(width)
     , m_height(height)
     , m_pixels(width * height, pixel)
   {}
 
-  std::size_t width() const { return m_width; }   ///< pixels
-  std::size_t height() const { return m_height; } ///< pixels
+  std::size_t width() const { return m_width; }
+  std::size_t height() const { return m_height; }
 
-  /// column `x` from the left, row `y` from the top, both from 0.
+  // column `x` from the left, row `y` from the top, both from 0
   Pixel& operator()(std::size_t x, std::size_t y) { return m_pixels[y * m_width + x]; }
-
-  /// column `x` from the left, row `y` from the top, both from 0.
   const Pixel& operator()(std::size_t x, std::size_t y) const { return m_pixels[y * m_width + x]; }
 
-  /// all pixels, row by row.
   const std::vector<Pixel>& pixels() const { return m_pixels; }
 
 private:
@@ -52,15 +41,12 @@ private:
   std::vector<Pixel> m_pixels;
 };
 
-/*!
-\ingroup PkgAnimatedMeshFeaturesRendering
-
-an image in linear light.
-*/
+// In linear light.
 typedef Image_of<Colour> Image;
 
-} // namespace Rendering
-} // namespace Animated_mesh_features
-} // namespace CGAL
+// As it is stored.
+typedef Image_of<Srgb8> Srgb_image;
+
+} // namespace Programs::Rendering
 
 #endif // PROGRAMS_RENDERING_IMAGE_H

@@ -14,13 +14,10 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Animated_mesh_features {
-namespace Rendering {
+namespace Programs::Rendering {
 
-namespace internal {
-
-// A triangle in the plane of an image, and a quantity that is linear on it. Where are its samples?
+// A triangle in the plane of an image, and a quantity that is linear on it. Where are its samples? A header, since
+// everything else that is drawn waits for this loop: the compiler puts what is done with a sample into it.
 class Triangle_scan
 {
 public:
@@ -94,10 +91,6 @@ private:
   Eigen::Vector3d m_low, m_high;
 };
 
-} // namespace internal
-
-} // namespace Rendering
-} // namespace Animated_mesh_features
-} // namespace CGAL
+} // namespace Programs::Rendering
 
 #endif // PROGRAMS_RENDERING_TRIANGLE_SCAN_H

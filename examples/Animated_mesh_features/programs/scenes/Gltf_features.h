@@ -75,7 +75,7 @@ public:
   {
     const float opacity = 0.6f; // the surface is to be seen within
     for (std::size_t step : m_steps) {
-      const auto c = Animated_mesh_features::Rendering::duration_colours()(double(step) / double(tau_steps - 1));
+      const auto c = Programs::Rendering::duration_colours()(double(step) / double(tau_steps - 1));
       out.raw(",\n{").member("name", name(step)).raw(",\"pbrMetallicRoughness\":{");
       out.member("baseColorFactor", std::array<float, 4>{{c[0], c[1], c[2], opacity}});
       out.raw(",\"metallicFactor\":0,\"roughnessFactor\":0.5},\"alphaMode\":\"BLEND\"}");

@@ -36,7 +36,7 @@ namespace internal {
 template <class Sequence, class Feature>
 class Gltf_surface
 {
-  typedef Animated_mesh_features::Rendering::Colour Colour; // in linear light, as glTF has it
+  typedef Programs::Rendering::Colour Colour; // in linear light, as glTF has it
 
 public:
   // Reserves the place of the targets: nothing can be added behind them.
@@ -104,7 +104,7 @@ private:
 
   Colour colour(double value) const
   {
-    return Animated_mesh_features::Rendering::field_colours()(m_top > 0 ? value / m_top : 0);
+    return Programs::Rendering::field_colours()(m_top > 0 ? value / m_top : 0);
   }
 
   // Frame 0 and the colours; the bounds of the differences of all frames from frame 0.

@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "rendering/Illumination.h"
+
+#include "rendering/Depth_map.h"
+
+#include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
+
+#include <CGAL/tags.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+
+namespace Programs::Rendering {
+
+std::vector<Shading> illuminated(const std::vector<Shading_point>& points, const Surface& surface,
+                                 const Eigen::Vector3d& centre, double radius, const std::vector<Light>& lights)
+{
+  typedef CGAL::Parallel_if_available_tag Parallel;
+  using CGAL::Animated_mesh_features::parallel_for;
+  const std::size_t maps_at_a_time = 8, block = 4096;
+  const double shininess = 34;     // a soft highlight, as of clay
+  const float reflectance = 0.04f; // of most things that are no metal
+  std::vector<Shading> result(points.size());
+  std::vector<std::unique_ptr<Depth_map>> maps(maps_at_a_time);
+  for (std::size_t first = 0; first < lights.size(); first += maps_at_a_time) {
+    const std::size_t n = (std::min)(maps_at_a_time, lights.size() - first);
+    parallel_for<Parallel>(0, n, [&](std::size_t i) {
+      maps[i] = std::make_unique<Depth_map>(surface, centre, radius, lights[first + i].direction);
+    });
+    parallel_for<Parallel>(0, (points.size() + block - 1) / block, [&](std::size_t b) {
+      for (std::size_t p = b * block; p < (std::min)(points.size(), (b + 1) * block); ++p) {
+        const Shading_point& s = points[p];
+        for (std::size_t i = 0; i < n; ++i) {
+          const Light& light = lights[first + i];
+          const double cosine = s.normal.dot(light.direction);
+          if (!(cosine > s.least_cosine)) continue;
+          const float visibility = maps[i]->visibility(s.point, s.normal);
+          if (!(visibility > 0)) continue;
+          result[p].diffuse += visibility * float(cosine) * light.colour;
+          if (!light.is_highlight || s.to_eye.isZero()) continue;
+          // Blinn's highlights, normalised, with Schlick's approximation of what glances off
+          const Eigen::Vector3d half = (light.direction + s.to_eye).normalized();
+          const double grazing = 1 - (std::max)(0., half.dot(s.to_eye));
+          const double fresnel = reflectance + (1 - reflectance) * std::pow(grazing, 5);
+          const double lobe =
+              (shininess + 8) / 8 * std::pow((std::max)(0., half.dot(s.normal)), shininess) * fresnel * cosine;
+          result[p].highlight += visibility * float(lobe) * light.colour;
+        }
+      }
+    });
+  }
+  return result;
+}
+
+} // namespace Programs::Rendering
