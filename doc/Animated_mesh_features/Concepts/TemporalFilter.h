@@ -68,6 +68,23 @@ public:
 
   /// @}
 
+  /// \name What Long Animations Need
+  /// Optional, for filters that weigh frames by their distance. Without it, time and memory grow with the square of the
+  /// number of frames.
+  /// @{
+
+  /// whether the filter continues a row by its mirror image, ... 1 0 | 0 1 2 ..., and weighs by distance only. (It may
+  /// depend on a parameter of the filter.)
+  bool reflects() const;
+
+  /// the weights of level `l` with respect to the row that is not smoothed, by distance on the circle of 2 F frames on
+  /// which a row and its mirror image live: at most F + 1 of them, the rest being zero; the weight of a frame of the row
+  /// in another is the sum of those of its distance and of the distance of its mirror image. Called if `reflects()`, from
+  /// several threads.
+  std::vector<double> weights_by_distance(std::size_t l) const;
+
+  /// @}
+
   /// \name What Samplings Ask For
   /// Needed only with a `ScaleSampling` that asks for it; may be called before `initialize()`.
   /// @{

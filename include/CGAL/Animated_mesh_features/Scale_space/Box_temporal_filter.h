@@ -127,6 +127,30 @@ public:
     }
   }
 
+  /// \name What Long Rows Need
+  /// See `TemporalFilter`.
+  /// @{
+
+  /// whether a row is continued by its mirror image.
+  bool reflects() const { return m_ends == Boundary_condition::REFLECT; }
+
+  /// the weights of level `l` with respect to the unsmoothed row, by distance on the circle of 2 F frames on which the row
+  /// and its mirror image live: F + 1 of them. Only if the filter reflects. Linear in F times the number of passes.
+  std::vector<double> weights_by_distance(std::size_t l) const
+  {
+    const std::ptrdiff_t period = 2 * std::ptrdiff_t(m_frames);
+    std::vector<double> circle(std::size_t(period), 0), next(circle.size());
+    circle[0] = 1;
+    for (std::size_t level = 0; level <= l; ++level)
+      for (std::size_t pass = 0; pass < m_steps[level].passes; ++pass) {
+        average_on_circle(m_steps[level].box, circle, next);
+        circle.swap(next);
+      }
+    circle.resize(m_frames + 1);
+    return circle;
+  }
+  /// @}
+
 private:
   // Frames up to `reach` away count fully, those at reach + 1 with weight `end`.
   struct Box
@@ -190,6 +214,21 @@ private:
     if (m_ends == Boundary_condition::TRUNCATE)
       for (std::ptrdiff_t f = 0; f < n; ++f)
         if (f <= r || f + r + 1 >= n) out[f] = out[f] * Scalar(box.total() / existing(box, f));
+  }
+
+  // One pass over a closed row.
+  static void average_on_circle(const Box& box, const std::vector<double>& in, std::vector<double>& out)
+  {
+    const std::ptrdiff_t n = std::ptrdiff_t(in.size()), r = std::ptrdiff_t(box.reach), margin = 2 * (2 * r + 3);
+    std::vector<double> around(std::size_t(n + 2 * margin)); // so that no window reaches beyond it
+    for (std::ptrdiff_t i = 0; i < n + 2 * margin; ++i) around[std::size_t(i)] = in[std::size_t(((i - margin) % n + n) % n)];
+    const internal::Boundary_extension nothing(around.size(), 0, Boundary_condition::TRUNCATE);
+    const double factor = 1 / box.total();
+    const auto emit = [&](std::ptrdiff_t f, double, double sum) {
+      const std::size_t at = std::size_t(margin + f), reach = std::size_t(r + 1);
+      out[std::size_t(f)] = (sum + (around[at - reach] + around[at + reach]) * box.end) * factor;
+    };
+    internal::window_sums(nothing, around.data(), margin - r, n, 2 * r + 1, emit, emit);
   }
 
   // Widths for which sums of a stream are compiled, which makes the average twice as fast where the processor has 32

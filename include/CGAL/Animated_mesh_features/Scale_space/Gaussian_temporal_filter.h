@@ -8,6 +8,7 @@
 #define CGAL_ANIMATED_MESH_FEATURES_SCALE_SPACE_GAUSSIAN_TEMPORAL_FILTER_H
 
 #include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
+#include <CGAL/Animated_mesh_features/Scale_space/internal/discrete_gaussian.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -32,9 +33,10 @@ The semigroup of the discrete heat equation: in the basis of the DCT-II, which c
 factors are \f$e^{u(\cos(\pi j/F) - 1)}\f$ for the variance u in squared frames \cgalCite{lindeberg1990}. Variances add
 exactly, the mean is kept exactly, and no new extrema appear, whatever the step.
 
-A level costs F times the width of its kernel. In single precision it costs less if steps grow with the variances: a row
-that has been smoothed needs a weight every few frames only, two or three dozen of them altogether, however wide
-the kernel.
+A level costs F times the number of its weights. If steps grow with the variances, a row that has been smoothed needs a
+weight every few frames only: two or three dozen of them altogether in single precision, however wide the Gaussian, and
+twice as many in double precision, in which rows of up to 1,024 frames nevertheless get all of them. So time is linear in F
+also where variances grow with the duration.
 
 \cgalModels{TemporalFilter}
 */
@@ -57,15 +59,20 @@ public:
   void initialize(std::size_t number_of_frames, double frame_duration, const std::vector<double>& variances)
   {
     m_frames = number_of_frames;
+    m_frame_duration = frame_duration;
     m_variances = variances;
-    m_kernels.clear();
-    m_float_kernels.clear();
+    m_weights.clear();
+    m_float_weights.clear();
     const bool is_sparse = !has_equal_steps(); // errors are then measured by what equal steps have left of the row
     for (std::size_t l = 0; l < variances.size(); ++l) {
       const double before = (l > 0 ? variances[l - 1] : 0) / (frame_duration * frame_duration);
       const double step = variances[l] / (frame_duration * frame_duration) - before;
-      m_kernels.push_back({1, kernel(step)});
-      m_float_kernels.push_back(float_kernel(m_kernels.back(), is_sparse ? largest_stride(before, step) : 1));
+      const std::vector<double> weights = step_weights(step);
+      const auto thinned_to = [&](double error) {
+        return thinned(weights, is_sparse ? largest_stride(before, step, error) : 1, error);
+      };
+      m_weights.push_back(number_of_frames > longest_full_row ? thinned_to(double_error) : Weights{1, weights});
+      m_float_weights.push_back(thinned_to(float_error));
     }
   }
 
@@ -89,7 +96,7 @@ public:
   void operator()(std::size_t l, const T* in, T* out) const
   {
     typedef typename internal::Scalar_of<T>::type Scalar;
-    const Kernel& k = std::is_same<Scalar, float>::value ? m_float_kernels[l] : m_kernels[l];
+    const Weights& k = std::is_same<Scalar, float>::value ? m_float_weights[l] : m_weights[l];
     const std::ptrdiff_t n = std::ptrdiff_t(m_frames), reach = k.reach();
     // the row between its two mirror images; the kernel reaches at most once around
     static thread_local std::vector<T> mirrored;
@@ -110,9 +117,24 @@ public:
     }
   }
 
+  /// \name What Long Rows Need
+  /// See `TemporalFilter`.
+  /// @{
+
+  /// a row is continued by its mirror image.
+  bool reflects() const { return true; }
+
+  /// the weights of level `l` with respect to the unsmoothed row, by distance on the circle of 2 F frames on which the row
+  /// and its mirror image live: up to F + 1 of them, those that are left out are zero. Linear in F.
+  std::vector<double> weights_by_distance(std::size_t l) const
+  {
+    return internal::on_circle(internal::discrete_gaussian(m_variances[l] / (m_frame_duration * m_frame_duration)), m_frames);
+  }
+  /// @}
+
 private:
   // weights[i] is that of the frames i strides away, on either side.
-  struct Kernel
+  struct Weights
   {
     std::ptrdiff_t stride;
     std::vector<double> weights;
@@ -121,7 +143,7 @@ private:
 
   // Values of single vertices: the registers hold successive frames.
   template <class FT>
-  static void convolve_row(const FT* row, std::ptrdiff_t n, const Kernel& k, FT* out)
+  static void convolve_row(const FT* row, std::ptrdiff_t n, const Weights& k, FT* out)
   {
     typedef Eigen::Array<FT, Eigen::Dynamic, 1> Row;
     const std::ptrdiff_t size = std::ptrdiff_t(k.weights.size());
@@ -139,7 +161,7 @@ private:
 
   // Values of several vertices: a register holds one frame of all of them.
   template <int frames, class T>
-  static void convolve(const T* row, const Kernel& k, T* out)
+  static void convolve(const T* row, const Weights& k, T* out)
   {
     typedef typename T::Scalar Scalar;
     T sum[frames];
@@ -155,9 +177,8 @@ private:
     for (int f = 0; f < frames; ++f) out[f] = sum[f];
   }
 
-  // The right half of the kernel on a circle of 2 F frames, where a row and its mirror image live, up to where it
-  // vanishes in double precision.
-  std::vector<double> kernel(double u) const
+  // The same by a sum over all frequencies of the circle, F for each weight.
+  std::vector<double> weights_by_frequencies(double u) const
   {
     const std::size_t period = 2 * m_frames;
     std::vector<double> cosine(period), factor(period), values;
@@ -175,47 +196,64 @@ private:
     return values;
   }
 
-  // Errors that single precision does not see, relative to the largest value of a row.
-  static constexpr double float_error = double(std::numeric_limits<float>::epsilon()) / 8;
+  // The right half of the weights of a step on a circle of 2 F frames, where a row and its mirror image live; that of the
+  // opposite frame counts half, since it is reached from both sides.
+  std::vector<double> step_weights(double u) const
+  {
+    if (m_frames <= longest_full_row) return weights_by_frequencies(u);
+    std::vector<double> weights = internal::on_circle(internal::discrete_gaussian(u), m_frames);
+    if (weights.size() == m_frames + 1) weights.back() /= 2;
+    return weights;
+  }
 
-  // How many frames apart the weights of a step of variance u may be, following one of variance v (squared frames).
+  // Rows of up to that many frames are smoothed in double precision with a weight for every frame.
+  static constexpr std::size_t longest_full_row = 1024;
+
+  // Errors that a precision does not see, relative to the largest value of a row.
+  static constexpr double float_error = double(std::numeric_limits<float>::epsilon()) / 8;
+  static constexpr double double_error = std::numeric_limits<double>::epsilon() / 8;
+
+  // How many frames apart the weights of a step of variance u may be, after one of variance v (squared frames), for an
+  // error of that share of the largest value.
   //
   // With a weight every s frames, each s times as large, the factor g(w - 2 pi k / s) comes with g(w) for all k < s,
   // g(w) = exp(u (cos w - 1)). Before came exp(v (cos w - 1)); u cos(w - a) + v cos w is R cos(w - b) with
   // R^2 = u^2 + v^2 + 2 u v cos a. So a row takes on exp(R - u - v) times its smoothing by a discrete Gaussian of variance
   // R on a carrier wave, which is at most exp(R - u - v) of its largest value.
-  static std::ptrdiff_t largest_stride(double v, double u)
+  std::ptrdiff_t largest_stride(double v, double u, double largest_error) const
   {
     const auto share = [&](std::ptrdiff_t k, std::ptrdiff_t s) {
       const double cosine = std::cos(boost::math::constants::two_pi<double>() * double(k) / double(s));
       return std::exp(std::sqrt((std::max)(0., u * u + v * v + 2 * u * v * cosine)) - u - v);
     };
-    for (std::ptrdiff_t s = 2;; ++s) {
+    for (std::ptrdiff_t s = 2; s <= std::ptrdiff_t(m_frames); ++s) {
       double error = 0, last = 1;
-      for (std::ptrdiff_t k = 1; 2 * k <= s && last > 1e-6 * float_error; ++k) { // they decrease up to s / 2
+      for (std::ptrdiff_t k = 1; 2 * k <= s && last > 1e-6 * largest_error; ++k) { // they decrease up to s / 2
         last = share(k, s);
         error += 2 * k == s ? last : 2 * last;
       }
-      if (error > float_error) return s - 1;
+      if (error > largest_error) return s - 1;
     }
+    return std::ptrdiff_t(m_frames);
   }
 
-  // What single precision sees of a kernel: what lies farther out sums up to less than its rounding.
-  static Kernel float_kernel(const Kernel& kernel, std::ptrdiff_t stride)
+  // What a precision sees of the weights of a step: what is left out sums up to less than its rounding.
+  Weights thinned(const std::vector<double>& weights, std::ptrdiff_t stride, double error) const
   {
-    std::size_t size = kernel.weights.size();
+    std::size_t size = weights.size();
     double tail = 0;
-    while (size > 1 && tail + 2 * kernel.weights[size - 1] < 2 * float_error) tail += 2 * kernel.weights[--size];
-    if (size == kernel.weights.size()) stride = 1; // the kernel may reach around the circle, where strides do not meet
-    Kernel result = {stride, {}};
-    for (std::size_t m = 0; m < size; m += std::size_t(stride))
-      result.weights.push_back(double(stride) * kernel.weights[m]);
+    while (size > 1 && tail + 2 * weights[size - 1] < 2 * error) tail += 2 * weights[--size];
+    // weights that reach around the circle do not meet with strides
+    if (m_frames <= longest_full_row ? size == weights.size() : size == m_frames + 1) stride = 1;
+    Weights result = {stride, {}};
+    for (std::size_t m = 0; m < size; m += std::size_t(stride)) result.weights.push_back(double(stride) * weights[m]);
     return result;
   }
 
   std::size_t m_frames = 0;
+  double m_frame_duration = 0; // seconds
   std::vector<double> m_variances;
-  std::vector<Kernel> m_kernels, m_float_kernels; // [l]
+  std::vector<Weights> m_weights, m_float_weights; // of the step to level l: [l]
 };
 
 } // namespace Animated_mesh_features

@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -30,17 +31,50 @@ inline bool are_alike(double scale_1, double scale_2)
   return scale_1 <= like_scales * scale_2 && scale_2 <= like_scales * scale_1;
 }
 
+// Indices of features at each vertex, so that those at like scales of a time come quickly: their number does not grow with
+// the number of frames.
+template <class Feature>
+class Features_at_vertices
+{
+  // tau in classes so wide that what is alike is in neighbouring ones, then time
+  typedef std::pair<double, double> Key;
+
+public:
+  Features_at_vertices(std::size_t number_of_vertices, const std::vector<Feature>& features)
+    : m_at_vertex(number_of_vertices)
+  {
+    for (std::size_t i = 0; i < features.size(); ++i)
+      m_at_vertex[features[i].vertex_index].emplace_back(Key(tau_class(features[i]), features[i].time), i);
+    for (auto& row : m_at_vertex) std::sort(row.begin(), row.end());
+  }
+
+  // visit(j) for all features at `v` that may be like `f` in tau, and within its time.
+  template <class Visit>
+  void for_each_like(const Feature& f, std::size_t v, const Visit& visit) const
+  {
+    const auto& row = m_at_vertex[v];
+    const double reach = class_width * f.tau; // tau of what is alike is less than that
+    for (int step : {-1, 0, 1}) {
+      const double c = tau_class(f) + step;
+      auto i = std::lower_bound(row.begin(), row.end(), std::make_pair(Key(c, f.time - reach), std::size_t(0)));
+      for (; i != row.end() && i->first.first == c && i->first.second <= f.time + reach; ++i) visit(i->second);
+    }
+  }
+
+private:
+  static constexpr double class_width = 1.01 * like_scales; // a bit more, for the sake of rounding
+
+  static double tau_class(const Feature& f) { return std::floor(std::log(f.tau) / std::log(class_width)); }
+
+  std::vector<std::vector<std::pair<Key, std::size_t>>> m_at_vertex;
+};
+
 // Of features sorted by strength, strongest first, drops those of which a stronger one that is kept is within
 // max(sigma) on the surface and max(tau) in time, at like scales. Distances on the surface are along edges.
 template <class Feature>
 std::vector<Feature> suppress_non_maxima(const Rest_shape& shape, const std::vector<Feature>& features)
 {
-  double largest_sigma = 0;
-  std::vector<std::vector<std::size_t>> at_vertex(shape.number_of_vertices());
-  for (std::size_t i = 0; i < features.size(); ++i) {
-    largest_sigma = (std::max)(largest_sigma, features[i].sigma);
-    at_vertex[features[i].vertex_index].push_back(i);
-  }
+  const Features_at_vertices<Feature> at_vertices(shape.number_of_vertices(), features);
   std::vector<char> dropped(features.size(), 0);
   std::vector<Feature> kept;
   Bounded_dijkstra dijkstra(shape);
@@ -49,14 +83,14 @@ std::vector<Feature> suppress_non_maxima(const Rest_shape& shape, const std::vec
     const Feature& strong = features[i];
     kept.push_back(strong);
     const std::array<Rest_shape::Index, 1> source = {{Rest_shape::Index(strong.vertex_index)}};
-    for (Rest_shape::Index v : dijkstra.run(source, largest_sigma))
-      for (std::size_t j : at_vertex[v]) {
+    for (Rest_shape::Index v : dijkstra.run(source, like_scales * strong.sigma))
+      at_vertices.for_each_like(strong, v, [&](std::size_t j) {
         const Feature& weak = features[j];
         if (j > i && dijkstra.distance(v) <= (std::max)(strong.sigma, weak.sigma) &&
             std::abs(strong.time - weak.time) <= (std::max)(strong.tau, weak.tau) &&
             are_alike(strong.sigma, weak.sigma) && are_alike(strong.tau, weak.tau))
           dropped[j] = 1;
-      }
+      });
   }
   return kept;
 }

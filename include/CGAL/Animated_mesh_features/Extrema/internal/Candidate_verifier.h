@@ -13,7 +13,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_batch.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_weights.h>
-#include <CGAL/Animated_mesh_features/Extrema/internal/Temporal_matrices.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Temporal_weights.h>
 
 #include <cmath>
 #include <cstddef>
@@ -23,33 +23,34 @@ namespace Animated_mesh_features {
 namespace internal {
 
 // Decides whether a candidate is an extremum. The temporal filter is linear, so a single response anywhere is a few
-// scalar products of rows of the space levels with rows of the filter's matrices; in double precision and always by the
+// scalar products of rows of the space levels with rows of the filter's weights; in double precision and always by the
 // same operations in the same order, so that neither the way in which candidates were found nor batches nor
 // instruction sets show in the result.
 template <class TemporalFilter, class Search>
 class Candidate_verifier
 {
   typedef Pack<double, 8, Baseline_register<double>::value> Block;
+  typedef typename Temporal_weights<TemporalFilter>::Rows Rows;
 
 public:
   Candidate_verifier(const Rest_shape& shape,
                      const Level_batch& batch,
                      const Level_weights& weights,
-                     const Temporal_matrices<TemporalFilter>& matrices,
-                     const Search& search,
-                     std::size_t number_of_frames)
+                     const Search& search)
     : m_shape(shape)
     , m_batch(batch)
     , m_weights(weights)
-    , m_matrices(matrices)
     , m_search(search)
-    , m_whole_blocks(number_of_frames / Block::size * Block::size)
-    , m_frames(number_of_frames)
   {
   }
 
-  bool operator()(const Candidate& c, Extremum& extremum) const
+  // `rows` are those of a window of levels that has all that the responses at the neighbouring scales are made of.
+  bool operator()(const Candidate& c, Rows& rows, Extremum& extremum) const
   {
+    rows.seek(c.l - 1 - m_batch.below, c.l + 2 + m_batch.above, c.frame);
+    const auto response = [&](std::size_t v, std::size_t k, std::size_t l, std::size_t f) {
+      return this->response(v, k, l, f, rows);
+    };
     const double centre = response(c.vertex, c.k, c.l, c.frame);
     if (!(std::abs(centre) > m_weights.floor(c.k, c.l))) return false;
     // Neighbours first: a candidate has passed the test at its vertex already, though with less precision.
@@ -77,21 +78,23 @@ public:
   }
 
 private:
-  double response(std::size_t v, std::size_t k, std::size_t l, std::size_t f) const
+  double response(std::size_t v, std::size_t k, std::size_t l, std::size_t f, Rows& rows) const
   {
     const double a = m_weights.space(k, l), b = m_weights.time(k, l);
-    const double *upper = m_batch.row(k + m_batch.above, v), *lower = m_batch.row(k - m_batch.below, v);
-    const double* same = m_batch.row(k, v);
-    const double* now = m_matrices.row(l, f);
-    const double *late = m_matrices.row(l + m_batch.above, f), *early = m_matrices.row(l - m_batch.below, f);
+    const std::size_t begin = rows.begin(), size = rows.end() - begin;
+    const double* upper = m_batch.row(k + m_batch.above, v) + begin;
+    const double* lower = m_batch.row(k - m_batch.below, v) + begin;
+    const double* same = m_batch.row(k, v) + begin;
+    const double* now = rows.row(l, f);
+    const double *late = rows.row(l + m_batch.above, f), *early = rows.row(l - m_batch.below, f);
     Block space = Block::all(0), time = space;
     std::size_t j = 0;
-    for (; j < m_whole_blocks; j += Block::size) {
+    for (; j + Block::size <= size; j += Block::size) {
       space = space + (Block::load(upper + j) - Block::load(lower + j)) * Block::load(now + j);
       time = time + Block::load(same + j) * (Block::load(late + j) - Block::load(early + j));
     }
     double space_rest = 0, time_rest = 0; // what follows a row's last frame is nobody's
-    for (; j < m_frames; ++j) {
+    for (; j < size; ++j) {
       space_rest += (upper[j] - lower[j]) * now[j];
       time_rest += same[j] * (late[j] - early[j]);
     }
@@ -108,9 +111,7 @@ private:
   const Rest_shape& m_shape;
   const Level_batch& m_batch;
   const Level_weights& m_weights;
-  const Temporal_matrices<TemporalFilter>& m_matrices;
   const Search& m_search;
-  std::size_t m_whole_blocks, m_frames;
 };
 
 } // namespace internal

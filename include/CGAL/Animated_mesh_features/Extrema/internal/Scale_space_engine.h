@@ -19,7 +19,7 @@
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_batch.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_cascade.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_weights.h>
-#include <CGAL/Animated_mesh_features/Extrema/internal/Temporal_matrices.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Temporal_weights.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Vectorized_candidate_detector.h>
 #include <CGAL/Animated_mesh_features/Animation/largest_value.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
@@ -91,9 +91,9 @@ public:
   {
     const Level_weights weights(m_response, m_space_levels, m_time_levels, largest_value(field),
                                 m_least_response);
-    Temporal_matrices<TemporalFilter> matrices(m_temporal, m_frames, m_time_levels);
+    Temporal_weights<TemporalFilter> temporal_weights(m_temporal, m_frames, m_time_levels, below + above + 3);
     const auto run_with = [&](std::size_t fitting, const auto& make_detector) {
-      return run_batches<ConcurrencyTag>(field, spatial, visitor, weights, matrices, fitting, make_detector);
+      return run_batches<ConcurrencyTag>(field, spatial, visitor, weights, temporal_weights, fitting, make_detector);
     };
     const auto run_cascade = [&](const auto& cascade) {
       typedef std::decay_t<decltype(cascade)> Cascade;
@@ -135,7 +135,7 @@ private:
                                     SpatialFilter& spatial,
                                     Visitor& visitor,
                                     const Level_weights& weights,
-                                    Temporal_matrices<TemporalFilter>& matrices,
+                                    Temporal_weights<TemporalFilter>& temporal_weights,
                                     std::size_t fitting,
                                     const MakeDetector& make_detector)
   {
@@ -170,7 +170,7 @@ private:
       }
       {
         const Stage_scope<Visitor> stage(visitor, Stage::EXTREMA);
-        search(batch, weights, make_detector(batch), search_loop.part(i, batches), matrices, extrema);
+        search(batch, weights, make_detector(batch), search_loop.part(i, batches), temporal_weights, extrema);
       }
       // the next batch begins at batch.last
       for (std::size_t k = batch.first_level(); k < batch.last - 1 - below; ++k)
@@ -205,7 +205,7 @@ private:
               const Level_weights& weights,
               const Candidate_detector& detector,
               const Loop& loop,
-              Temporal_matrices<TemporalFilter>& matrices,
+              Temporal_weights<TemporalFilter>& temporal_weights,
               std::vector<Extremum>& extrema)
   {
     constexpr std::size_t vertices_at_once = std::size_t(1) << 14;
@@ -214,7 +214,7 @@ private:
       const std::size_t first = part * vertices_at_once, last = (std::min)(n, first + vertices_at_once);
       const auto part_loop = loop.part(part, parts);
       std::vector<Candidate> candidates = detect_candidates(detector, first, last, part_loop.part(0, 2));
-      verify(batch, weights, candidates, part_loop.part(1, 2), matrices, extrema);
+      verify(batch, weights, candidates, part_loop.part(1, 2), temporal_weights, extrema);
     }
   }
 
@@ -237,13 +237,13 @@ private:
     return all;
   }
 
-  // Time levels in windows for which there are matrices.
+  // Time levels in windows for which there are weights.
   template <class Loop>
   void verify(const Level_batch& batch, const Level_weights& weights, std::vector<Candidate>& candidates,
-              const Loop& loop, Temporal_matrices<TemporalFilter>& matrices, std::vector<Extremum>& extrema) const
+              const Loop& loop, Temporal_weights<TemporalFilter>& temporal_weights, std::vector<Extremum>& extrema) const
   {
     constexpr std::size_t candidates_per_task = 64;
-    const std::size_t window = matrices.window_size(below + above + 3);
+    const std::size_t window = temporal_weights.window_size();
     const std::size_t verified_at_once = window - (below + above + 2); // a window has a response on either side of them
     const std::size_t first = below + 1, last = m_time_levels - above - 1;
     const std::size_t windows = (last - first + verified_at_once - 1) / verified_at_once;
@@ -251,7 +251,7 @@ private:
       std::stable_sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
         return (a.l - first) / verified_at_once < (b.l - first) / verified_at_once;
       });
-    const Candidate_verifier<TemporalFilter, Search> is_extremum(m_shape, batch, weights, matrices, m_search, m_frames);
+    const Candidate_verifier<TemporalFilter, Search> is_extremum(m_shape, batch, weights, m_search);
     auto next = candidates.begin();
     for (std::size_t i = 0; i < windows; ++i) {
       const std::size_t begin = first + i * verified_at_once, end = (std::min)(last, begin + verified_at_once);
@@ -259,14 +259,15 @@ private:
           std::find_if(next, candidates.end(), [&](const Candidate& c) { return c.l >= end; });
       if (next == window_end) continue;
       const auto window_loop = loop.part(i, windows);
-      matrices.set_window(begin - 1 - below, end + 1 + above, window_loop.part(0, 8));
+      temporal_weights.set_window(begin - 1 - below, end + 1 + above, window_loop.part(0, 8));
       const std::size_t size = std::size_t(window_end - next);
       std::vector<std::vector<Extremum>> found((size + candidates_per_task - 1) / candidates_per_task);
       const auto at = next;
       window_loop.part(1, 2)(found.size(), [&](std::size_t task) {
+        typename Temporal_weights<TemporalFilter>::Rows rows(temporal_weights);
         Extremum extremum;
         for (std::size_t j = task * candidates_per_task; j < (std::min)(size, (task + 1) * candidates_per_task); ++j)
-          if (is_extremum(at[std::ptrdiff_t(j)], extremum)) found[task].push_back(extremum);
+          if (is_extremum(at[std::ptrdiff_t(j)], rows, extremum)) found[task].push_back(extremum);
       });
       for (std::vector<Extremum>& f : found)
         extrema.insert(extrema.end(), std::make_move_iterator(f.begin()), std::make_move_iterator(f.end()));

@@ -1,0 +1,223 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_TEMPORAL_WEIGHTS_H
+#define CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_TEMPORAL_WEIGHTS_H
+
+#include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
+#include <CGAL/Animated_mesh_features/Numerics/simd/run_vectorized.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace internal {
+
+// Whether a temporal filter takes rows of several vertices at once.
+template <class Filter, class = void>
+struct Is_vectorized_filter : std::false_type
+{
+};
+template <class Filter>
+struct Is_vectorized_filter<Filter, std::enable_if_t<Filter::vectorized>> : std::true_type
+{
+};
+
+// Whether a temporal filter tells its weights by distance.
+template <class Filter, class = void>
+struct Has_weights_by_distance : std::false_type
+{
+};
+template <class Filter>
+struct Has_weights_by_distance<Filter, std::void_t<decltype(std::declval<const Filter&>().weights_by_distance(0))>>
+  : std::true_type
+{
+};
+
+// The weights of all frames in a frame of a level of a temporal filter, for a window of levels that moves upwards: row f
+// of the level's matrix T_l. Matrices have F^2 numbers a level; where these would be too many, rows are made of the
+// filter's weights by distance when they are asked for, if it tells them, as all filters do that continue a row by its
+// mirror image and weigh by distance: T_l(f, j) = w_l(f - j) + w_l(f + j + 1), on a circle of 2 F frames.
+template <class TemporalFilter>
+class Temporal_weights
+{
+public:
+  // `least_window` levels are needed at a time; matrices of these are taken if they fit into `bytes`.
+  Temporal_weights(const TemporalFilter& filter, std::size_t number_of_frames, std::size_t number_of_levels,
+                   std::size_t least_window, std::size_t bytes = std::size_t(1) << 26)
+    : m_filter(filter)
+    , m_frames(number_of_frames)
+    , m_levels(number_of_levels)
+    , m_least_window((std::min)(number_of_levels, least_window))
+    , m_stride((number_of_frames + pack_size - 1) / pack_size * pack_size)
+    , m_bytes(bytes)
+  {
+    if constexpr (Has_weights_by_distance<TemporalFilter>::value)
+      m_is_by_distance = m_least_window > matrices_that_fit() && filter.reflects();
+  }
+
+  // Makes the levels [first, last) available, by `loop`; those before are dropped. Going back starts anew.
+  template <class Loop>
+  void set_window(std::size_t first, std::size_t last, const Loop& loop)
+  {
+    if (first >= m_first && last <= m_last) return;
+    if constexpr (Has_weights_by_distance<TemporalFilter>::value)
+      if (m_is_by_distance) {
+        m_by_distance.resize(last - first);
+        loop(last - first, [&](std::size_t i) { m_by_distance[i] = shortened(m_filter.weights_by_distance(first + i)); });
+        m_first = first;
+        m_last = last;
+        return;
+      }
+    const bool goes_on = first >= m_first && first < m_last && last > m_last;
+    const std::size_t size = m_stride * m_frames;
+    std::vector<double> values((last - first) * size);
+    if (goes_on) std::copy(m_values.begin() + std::ptrdiff_t((first - m_first) * size),
+                           m_values.end(), values.begin());
+    const std::size_t from = goes_on ? m_last : 0;
+    const double* before = goes_on ? values.data() + (m_last - 1 - first) * size : nullptr;
+    loop(m_stride / pack_size, [&](std::size_t group) { smooth_impulses(group, before, from, first, last, values); });
+    m_values.swap(values);
+    m_first = first;
+    m_last = last;
+  }
+
+  // The levels of a window: as many as fit into a moderate amount of memory, but never less than are needed.
+  std::size_t window_size() const
+  {
+    return m_is_by_distance ? m_levels : (std::min)(m_levels, (std::max)(m_least_window, matrices_that_fit()));
+  }
+
+  // Rows of the levels of the window around some frame, for one thread.
+  class Rows
+  {
+  public:
+    explicit Rows(const Temporal_weights& weights) : m_weights(weights) {}
+
+    // Rows of levels [first, last) in frames `frame` - 1 to `frame` + 1 are asked for next.
+    void seek(std::size_t first, std::size_t last, std::size_t frame)
+    {
+      const std::size_t n = m_weights.m_frames;
+      m_end = n;
+      if (!m_weights.m_is_by_distance) return;
+      std::size_t reach = 1;
+      for (std::size_t l = first; l < last; ++l) reach = (std::max)(reach, m_weights.by_distance(l).size() + 1);
+      m_begin = frame > reach ? frame - reach : 0;
+      m_end = (std::min)(n, frame + reach + 1);
+      m_first = first;
+      m_first_frame = frame - 1;
+      m_is_known.assign(3 * (last - first), 0);
+      m_rows.resize(3 * (last - first) * (m_end - m_begin));
+    }
+
+    // Frames [begin(), end()) are all that have weights in the rows that are asked for.
+    std::size_t begin() const { return m_begin; }
+    std::size_t end() const { return m_end; }
+
+    // The weight of frame begin() in frame f of level l, those of the following frames after it.
+    const double* row(std::size_t l, std::size_t f)
+    {
+      if (!m_weights.m_is_by_distance) return m_weights.matrix_row(l, f);
+      const std::size_t i = 3 * (l - m_first) + (f - m_first_frame);
+      double* const row = m_rows.data() + i * (m_end - m_begin);
+      if (!m_is_known[i]) make_row(m_weights.by_distance(l), f, row);
+      m_is_known[i] = 1;
+      return row;
+    }
+
+  private:
+    void make_row(const std::vector<double>& weights, std::size_t f, double* row) const
+    {
+      const std::size_t n = m_weights.m_frames, size = weights.size();
+      std::fill(row, row + (m_end - m_begin), 0.);
+      const auto at = [&](std::size_t j) -> double& { return row[j - m_begin]; };
+      for (std::size_t j = f >= size ? f - size + 1 : 0; j < (std::min)(n, f + size); ++j)
+        at(j) = weights[j < f ? f - j : j - f];
+      // the mirror images before the first frame and after the last one
+      for (std::size_t j = 0; j < n && f + j + 1 < size; ++j) at(j) += weights[f + j + 1];
+      for (std::size_t j = n; j-- > 0 && f + j + 1 > n && 2 * n - 1 - f - j < size;) at(j) += weights[2 * n - 1 - f - j];
+    }
+
+    const Temporal_weights& m_weights;
+    std::size_t m_begin = 0, m_end = 0, m_first = 0, m_first_frame = 0;
+    std::vector<char> m_is_known;
+    std::vector<double> m_rows; // [level][frame][j - begin]
+  };
+
+private:
+  static constexpr std::size_t pack_size = 8;
+
+  std::size_t matrices_that_fit() const
+  {
+    return m_bytes / (m_stride * m_frames * sizeof(double));
+  }
+
+  const double* matrix_row(std::size_t l, std::size_t f) const
+  {
+    return m_values.data() + ((l - m_first) * m_frames + f) * m_stride;
+  }
+
+  const std::vector<double>& by_distance(std::size_t l) const { return m_by_distance[l - m_first]; }
+
+  // Without the weights that vanish beside the sum, 1.
+  static std::vector<double> shortened(std::vector<double> weights)
+  {
+    while (weights.size() > 1 && weights.back() < 1e-18) weights.pop_back();
+    return weights;
+  }
+
+  // The columns of a group: impulses in `pack_size` successive frames, smoothed.
+  void smooth_impulses(std::size_t group, const double* before, std::size_t from, std::size_t first, std::size_t last,
+                       std::vector<double>& values) const
+  {
+    const std::size_t size = m_stride * m_frames, column = group * pack_size;
+    const auto smooth = [&](auto& row, auto& next, const auto& load, const auto& store) {
+      for (std::size_t f = 0; f < m_frames; ++f) load(f, row[f]);
+      for (std::size_t l = from; l < last; ++l) {
+        m_filter(l, row.data(), next.data());
+        row.swap(next);
+        if (l >= first)
+          for (std::size_t f = 0; f < m_frames; ++f)
+            store(row[f], values.data() + (l - first) * size + f * m_stride + column);
+      }
+    };
+    const auto entry = [&](std::size_t f, std::size_t i) {
+      return before != nullptr ? before[f * m_stride + column + i] : double(f == column + i);
+    };
+    if constexpr (Is_vectorized_filter<TemporalFilter>::value) {
+      typedef Pack<double, pack_size, Baseline_register<double>::value> Block;
+      std::vector<Block> row(m_frames), next(m_frames);
+      const auto load = [&](std::size_t f, Block& block) {
+        double numbers[pack_size];
+        for (std::size_t i = 0; i < pack_size; ++i) numbers[i] = entry(f, i);
+        block = Block::load(numbers);
+      };
+      smooth(row, next, load, [](const Block& block, double* to) { block.store(to); });
+    } else {
+      std::vector<double> row(m_frames), next(m_frames);
+      for (std::size_t i = 0; i < pack_size && column + i < m_frames; ++i)
+        smooth(row, next, [&](std::size_t f, double& number) { number = entry(f, i); },
+               [&](double number, double* to) { to[i] = number; });
+    }
+  }
+
+  const TemporalFilter& m_filter;
+  std::size_t m_frames, m_levels, m_least_window, m_stride, m_bytes;
+  bool m_is_by_distance = false;
+  std::size_t m_first = 0, m_last = 0;
+  std::vector<double> m_values;                    // [l - first][f][j]
+  std::vector<std::vector<double>> m_by_distance; // [l - first][distance]
+};
+
+} // namespace internal
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_TEMPORAL_WEIGHTS_H
