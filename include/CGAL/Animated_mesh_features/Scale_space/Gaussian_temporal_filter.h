@@ -98,7 +98,7 @@ public:
     typedef typename internal::Scalar_of<T>::type Scalar;
     const Weights& k = std::is_same<Scalar, float>::value ? m_float_weights[l] : m_weights[l];
     const std::ptrdiff_t n = std::ptrdiff_t(m_frames), reach = k.reach();
-    // the row between its two mirror images; the kernel reaches at most once around
+    // the row between its two mirror images; the weights reach at most once around
     static thread_local std::vector<T> mirrored;
     if (std::ptrdiff_t(mirrored.size()) < n + 2 * reach) mirrored.resize(std::size_t(n + 2 * reach));
     T* row = mirrored.data() + reach;
