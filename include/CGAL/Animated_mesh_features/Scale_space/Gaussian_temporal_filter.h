@@ -90,7 +90,8 @@ public:
   }
 
   /// smooths a row of frames from level `l` - 1 (the unsmoothed row for `l` = 0) to level `l`; `in` and `out` do not
-  /// overlap. Rows of `float` have to be those of level `l` - 1, since they are not asked for at every frame.
+  /// overlap. Rows of `float`, or of more than 1,024 frames, have to be those of
+  /// level `l` - 1, since not every frame of them is looked at.
   /// \tparam T `float`, `double`, or several of them that are computed with as one, see `vectorized`.
   template <class T>
   void operator()(std::size_t l, const T* in, T* out) const
