@@ -12,7 +12,9 @@
 #include "test_two_stages.h"
 
 #include <CGAL/Animated_mesh_features/Animation/Canonical_shape.h>
+#include <CGAL/Animated_mesh_features/Animation/Frame_positions.h>
 #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Animation/rest_shape_of_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
@@ -85,6 +87,46 @@ void test_positions(const Bumpy_sphere& sphere, const Mesh& mesh)
   CHECK(get(sequence.rest_point_map(), *vertices(mesh).begin()) == sphere.rest[0]);
 }
 
+// A frame as a view, and the rest shape of a mesh that has no frames.
+void test_views(const Bumpy_sphere& sphere, const Mesh& mesh)
+{
+  typedef AMF::Rest_shape::Point Point;
+  const AMF::Frame_sequence<Mesh, float> sequence(mesh, sphere.frames, sphere.frame_duration);
+  const AMF::Vertex_trajectories<float>& trajectories = sequence.trajectories();
+  CHECK(trajectories.number_of_vertices() == 642 && trajectories.number_of_frames() == 24);
+  bool same = true;
+  for (std::size_t f : {0, 11, 23}) {
+    const AMF::Frame_positions<float> positions = trajectories.frame(f);
+    const std::vector<Point> points = positions.points();
+    same = same && positions.size() == 642 && points.size() == 642;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      const Point_3& p = sphere.frames[f][v]; // whose coordinates are floats
+      const Point expected(p.x(), p.y(), p.z());
+      same = same && positions[v] == expected && points[v] == expected && trajectories.point(v, f) == expected;
+    }
+  }
+  CHECK(same);
+  // of fields on their own, and of what is in them now
+  AMF::Spatio_temporal_field<double> x(2, 3), y(2, 3), z(2, 3);
+  const AMF::Frame_positions<double> view(x, y, z, 2);
+  x(1, 2) = 4, y(1, 2) = 5, z(1, 2) = 6, x(1, 1) = 7;
+  CHECK(view.size() == 2 && view[0] == Point::Zero() && view[1] == Point(4, 5, 6));
+
+  const AMF::Rest_shape shape = AMF::rest_shape_of_mesh(mesh);
+  CHECK(shape.number_of_vertices() == 642 && shape.triangles().size() == 1280 && shape.edges().size() == 1920);
+  const AMF::Rest_shape moved = AMF::rest_shape_of_mesh(mesh, sequence.point_map(11));
+  CHECK(shape.triangles() == moved.triangles());
+  same = true;
+  for (std::size_t v = 0; v < 642; ++v)
+    same = same && shape.points()[v] == Point(sphere.rest[v].x(), sphere.rest[v].y(), sphere.rest[v].z()) &&
+           moved.points()[v] == trajectories.point(v, 11);
+  CHECK(same);
+  Mesh bad = mesh;
+  bad.point(Mesh::Vertex_index(3)) = Point_3(0, not_a_number, 0);
+  CHECK_THROWS(AMF::Input_error, AMF::rest_shape_of_mesh(bad), "the mesh: the position of vertex 3 is not finite");
+  CHECK_THROWS(AMF::Input_error, AMF::rest_shape_of_mesh(Mesh()), "the mesh has no faces");
+}
+
 void test_bad_connectivity(const Bumpy_sphere& sphere)
 {
   Mesh mesh;
@@ -97,6 +139,7 @@ void test_bad_connectivity(const Bumpy_sphere& sphere)
   mesh.add_face(b, e, c);
   mesh.add_face(a, b, c, d);
   CHECK_THROWS(AMF::Input_error, Sequence(mesh, frames, 1), "face 1 has 4 vertices");
+  CHECK_THROWS(AMF::Input_error, AMF::rest_shape_of_mesh(mesh), "face 1 has 4 vertices");
   CHECK_THROWS(AMF::Input_error, Sequence(Mesh(), sphere.frames, 1), "the mesh has no faces");
 }
 
@@ -401,6 +444,7 @@ int main()
   Mesh mesh;
   add_sphere(sphere, mesh);
   test_positions(sphere, mesh);
+  test_views(sphere, mesh);
   test_bad_connectivity(sphere);
   test_bad_frames(sphere, mesh);
   test_rest_shape(sphere, mesh);

@@ -7,6 +7,7 @@
 // Animations in and out: point caches, sequences of meshes, and what is said about those that do not fit.
 
 #include "test_io_support.h"
+#include "test_recording_memory.h"
 
 #include <CGAL/Animated_mesh_features/IO/Point_cache_reader.h>
 #include <CGAL/Animated_mesh_features/IO/frame_files_in_folder.h>
@@ -21,6 +22,7 @@
 #include <array>
 #include <filesystem>
 #include <limits>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -285,6 +287,32 @@ void test_animation_of()
   CHECK(sequence.sources == files && sequence.times.empty());
   CHECK(sequence.frame_name(10) == files[10]);
   CHECK(is_right(IO::read_animation<FT>({folder.path("seq")}), 11));
+
+  // Coordinates live where the one says that is told their number before there are any.
+  for (const std::vector<std::string>& inputs : {std::vector<std::string>{mesh, cache}, files}) {
+    const std::size_t frames = inputs.size() == 2 ? 2 : 11;
+    const auto memory = std::make_shared<Recording_memory>();
+    std::size_t calls = 0;
+    const auto choose = [&](std::size_t n, std::size_t f) {
+      CHECK(n == 3 && f == frames && memory->allocations() == 0);
+      ++calls;
+      return memory;
+    };
+    const auto chosen = IO::read_animation<FT>(inputs, IO::Mesh_reading_options(), choose);
+    CHECK(is_right(chosen, frames) && calls == 1 && memory->in_use() == 3 && memory->allocations() == 3);
+    CHECK(chosen.x.memory() == memory && chosen.y.memory() == memory && chosen.z.memory() == memory);
+    struct Stop
+    {
+    };
+    bool is_stopped = false;
+    try {
+      IO::read_animation<FT>(inputs, IO::Mesh_reading_options(),
+                             [](std::size_t, std::size_t) -> std::shared_ptr<Field_memory> { throw Stop(); });
+    } catch (const Stop&) {
+      is_stopped = true;
+    }
+    CHECK(is_stopped);
+  }
 }
 
 void test_animation_errors()

@@ -54,6 +54,7 @@ public:
 
   std::size_t in_use() const { return m_in_use; }           // blocks now
   std::size_t most_in_use() const { return m_most_in_use; } // blocks at a time
+  void forget_most_in_use() { m_most_in_use = m_in_use; }
 
 private:
   std::mutex m_mutex;

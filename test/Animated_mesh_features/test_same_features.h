@@ -10,8 +10,9 @@
 #include "test_bumpy_sphere.h"
 #include "test_support.h"
 
-#include <CGAL/Animated_mesh_features/Geodesic_balls/Dijkstra_geodesic_balls.h>
 #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Animation/rest_shape_of_mesh.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/Dijkstra_geodesic_balls.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/detect_spatio_temporal_features.h>
 
@@ -156,6 +157,10 @@ public:
     report(order.size() == m_sphere.rest.size(), __FILE__, __LINE__, name + ": number of vertices");
     report(std::is_sorted(order.begin(), order.end()) == same_order, __FILE__, __LINE__, name + ": order of vertices");
     const auto sequence = animated(m_sphere, mesh);
+    const auto shape = CGAL::Animated_mesh_features::rest_shape_of_mesh(mesh); // which is the mesh's own
+    report(shape.triangles() == sequence.rest_shape().triangles() && shape.points() == sequence.rest_shape().points() &&
+               shape.lengths() == sequence.rest_shape().lengths(),
+           __FILE__, __LINE__, name + ": rest shape without an animation");
     check_same(m_features, detect(m_sphere, sequence), same_order ? 0 : 1e-3, name);
     // heat diffusion solves in single precision, and eliminates the vertices in another order
     check_same(m_features_by_paths, detect(m_sphere, sequence, m_options), same_order ? 0 : 1e-6,
