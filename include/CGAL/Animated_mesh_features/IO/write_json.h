@@ -7,118 +7,114 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_WRITE_JSON_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_WRITE_JSON_H
 
+#include <CGAL/Animated_mesh_features/Detection/Feature_point.h>
+#include <CGAL/Animated_mesh_features/IO/Feature_file_data.h>
 #include <CGAL/Animated_mesh_features/IO/Result_description.h>
-#include <CGAL/Animated_mesh_features/IO/internal/Text_output.h>
-#include <CGAL/Animated_mesh_features/IO/internal/append_json_string.h>
-#include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
+
+#include <nlohmann/json.hpp>
 
 #include <cstddef>
 #include <ostream>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 namespace CGAL {
 namespace Animated_mesh_features {
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesWriting
+
+makes a JSON object of a feature, with the members that `IO::write_json()` writes; `nlohmann::ordered_json` keeps their
+order. nlohmann-json finds this function by itself, for ranges of features, too:
+\code
+nlohmann::ordered_json json = {{"strongest", features.front()}, {"all", features}};
+\endcode
+
+\tparam Json an instance of `nlohmann::basic_json`
+*/
+template <class Json>
+void to_json(Json& json, const Feature_point& feature)
+{
+  json = Json::object({{"vertex", feature.vertex_index},
+                       {"frame", feature.frame},
+                       {"time", feature.time},
+                       {"position", feature.position},
+                       {"sigma", feature.sigma},
+                       {"tau", feature.tau},
+                       {"radius", feature.radius()},
+                       {"response", feature.response},
+                       {"strength", feature.strength()},
+                       {"rest_position", feature.rest_position},
+                       {"triangle", feature.triangle},
+                       {"barycentric_coordinates", feature.barycentric_coordinates},
+                       {"at_scale_limit", feature.at_scale_limit}});
+}
+
 namespace IO {
 
 namespace internal {
 
-// JSON of values; JSON has no infinity and no NaN, they become `null`.
-class Json_output
+typedef nlohmann::ordered_json Json;
+
+// In one line. JSON has no infinity and no NaN, they become `null`; and file names may be any bytes, JSON is UTF-8: what
+// is not becomes U+FFFD.
+inline std::string json_text(const Json& json)
 {
-public:
-  explicit Json_output(std::ostream& os)
-    : m_out(os)
-  {}
-
-  Json_output& raw(std::string_view text)
-  {
-    m_out << text;
-    return *this;
-  }
-
-  // `"name": value`
-  template <class T>
-  Json_output& member(std::string_view name, const T& value)
-  {
-    put(name);
-    m_out << ": ";
-    put(value);
-    return *this;
-  }
-
-  void flush() { m_out.flush(); }
-
-private:
-  template <class T>
-  void put(const T& value)
-  {
-    if constexpr (std::is_floating_point<T>::value) {
-      if (is_finite(value)) {
-        m_out << value;
-      } else {
-        m_out << "null";
-      }
-    } else if constexpr (std::is_arithmetic<T>::value) {
-      m_out << value;
-    } else if constexpr (std::is_same<T, std::monostate>::value) {
-      m_out << "null";
-    } else if constexpr (std::is_same<T, Result_description::Value>::value) {
-      std::visit([this](const auto& v) { this->put(v); }, value);
-    } else if constexpr (std::is_convertible<const T&, std::string_view>::value) {
-      std::string quoted;
-      append_json_string(quoted, value);
-      m_out << quoted;
-    } else { // a range
-      m_out << '[';
-      std::size_t i = 0;
-      for (const auto& v : value) {
-        if (i++ > 0) m_out << ", ";
-        put(v);
-      }
-      m_out << ']';
-    }
-  }
-
-  Text_output m_out;
-};
-
-// `"features": [...]`
-template <class FeatureRange>
-void write_json_features(Json_output& out, const FeatureRange& features,
-                         const Vertex_origins& origins = Vertex_origins())
-{
-  out.raw("\"features\": [");
-  const char* separator = "\n  {";
-  for (const auto& f : features) {
-    out.raw(separator).member("vertex", f.vertex_index).raw(", ").member("frame", f.frame);
-    out.raw(", ").member("time", f.time).raw(", ").member("position", f.position);
-    out.raw(", ").member("sigma", f.sigma).raw(", ").member("tau", f.tau).raw(", ").member("radius", f.radius());
-    out.raw(", ").member("response", f.response).raw(", ").member("strength", f.strength());
-    out.raw(", ").member("rest_position", f.rest_position).raw(", ").member("triangle", f.triangle);
-    out.raw(", ").member("barycentric_coordinates", f.barycentric_coordinates);
-    out.raw(", ").member("at_scale_limit", f.at_scale_limit);
-    if (!origins.empty()) out.raw(", ").member("file_vertices", origins.of(f.vertex_index));
-    out.raw("}");
-    separator = ",\n  {";
-  }
-  out.raw("]");
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-// Where the file's vertices are that are counted through all parts.
-inline void write_parts(Json_output& out, const Vertex_origins& origins)
+inline Json json_of(const Result_description::Value& value)
 {
-  if (origins.empty()) return;
-  out.raw(",\n               \"parts\": [");
-  const char* separator = "\n                 {";
-  for (const Vertex_origins::Part& part : origins.parts) {
-    out.raw(separator).member("name", part.name).raw(", ").member("first_vertex", part.first_vertex);
-    out.raw(", ").member("vertices", part.vertices).raw("}");
-    separator = ",\n                 {";
+  return std::visit(
+      [](const auto& v) -> Json {
+        if constexpr (std::is_same<std::decay_t<decltype(v)>, std::monostate>::value)
+          return nullptr;
+        else
+          return v;
+      },
+      value);
+}
+
+inline Json json_of_animation(const Result_description& d)
+{
+  Json json = {{"vertices", d.vertices},
+               {"faces", d.faces},
+               {"frames", d.frames},
+               {"frame_duration", d.frame_duration},
+               {"bounding_box_diagonal", d.bounding_box_diagonal},
+               {"mean_edge_length", d.mean_edge_length}};
+  for (const Vertex_origins::Part& part : d.origins.parts)
+    json["parts"].push_back({{"name", part.name}, {"first_vertex", part.first_vertex}, {"vertices", part.vertices}});
+  return json;
+}
+
+// `file_vertices`: of each feature, or of none.
+template <class FeatureRange>
+void write_json(std::ostream& os, const FeatureRange& features, const Result_description& description,
+                const std::vector<std::vector<std::size_t>>& file_vertices)
+{
+  std::string text = "{\"format\": \"animated-mesh-features\", \"version\": 1,\n";
+  text += " \"animation\": " + json_text(json_of_animation(description)) + ",\n \"parameters\": {";
+  const char* separator = "\n  ";
+  for (const auto& parameter : description.parameters) {
+    text += separator + json_text(parameter.first) + ": " + json_text(json_of(parameter.second));
+    separator = ",\n  ";
   }
-  out.raw("]");
+  text += "},\n \"features\": [";
+  separator = "\n  ";
+  std::size_t i = 0;
+  for (const Feature_point& feature : features) {
+    Json json = feature;
+    if (i < file_vertices.size()) json["file_vertices"] = file_vertices[i++];
+    text += separator + json_text(json);
+    separator = ",\n  ";
+    os.write(text.data(), static_cast<std::streamsize>(text.size()));
+    text.clear();
+  }
+  text += "]}\n";
+  os.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 
 } // namespace internal
@@ -131,13 +127,14 @@ first.
 
 \code{.json}
 {"format": "animated-mesh-features", "version": 1,
- "animation": {"vertices": 8431, "faces": 16843, "frames": 48, "frame_duration": 0.0333333,
-               "bounding_box_diagonal": 2.54, "mean_edge_length": 0.0212},
- "parameters": {"preset": "calibrated"},
+ "animation": {"vertices":8431,"faces":16843,"frames":48,"frame_duration":0.0333333,"bounding_box_diagonal":2.54,
+               "mean_edge_length":0.0212},
+ "parameters": {
+  "preset": "calibrated"},
  "features": [
-  {"vertex": 12, "frame": 7, "time": 0.2371, "position": [0, 0, 0], "sigma": 0.06, "tau": 0.1, "radius": 0.085,
-   "response": -0.31, "strength": 0.31, "rest_position": [0, 0, 0], "triangle": [12, 13, 20],
-   "barycentric_coordinates": [1, 0, 0], "at_scale_limit": false}]}
+  {"vertex":12,"frame":7,"time":0.2371,"position":[0.0,0.0,0.0],"sigma":0.06,"tau":0.1,"radius":0.085,
+   "response":-0.31,"strength":0.31,"rest_position":[0.0,0.0,0.0],"triangle":[12,13,20],
+   "barycentric_coordinates":[1.0,0.0,0.0],"at_scale_limit":false}]}
 \endcode
 
 If vertices are not those of the file (`Result_description::origins`), a feature has `"file_vertices": [12, 907]` too,
@@ -145,36 +142,33 @@ the vertices of the file of which its vertex is made, counted from 0 through all
 has `"parts": [{"name": "node 3, mesh 0, primitive 0", "first_vertex": 0, "vertices": 1425}]`.
 
 Vertices are counted from 0 in the order of the input file; times are in seconds, lengths in the input's unit. Numbers
-have as many digits as it takes to read the same number back, strings are UTF-8. Independent of the stream's locale.
+have as many digits as it takes to read the same number back, what is not finite is `null`; strings are UTF-8, with
+U+FFFD for bytes that are not. Independent of any locale. `read_json()` reads it all back.
 
-\tparam FeatureRange a range of `Spatio_temporal_feature<VertexDescriptor>`
+\tparam FeatureRange a range of `Feature_point`, or of `Spatio_temporal_feature<VertexDescriptor>`
 
 Errors are left in the state of the stream; `Output_file` reports them.
+
+Needs nlohmann-json 3.9 or newer.
 */
 template <class FeatureRange>
 void write_json(std::ostream& os, const FeatureRange& features, const Result_description& description)
 {
-  const Result_description& d = description;
-  internal::Json_output out(os);
-  out.raw("{").member("format", "animated-mesh-features").raw(", ").member("version", 1).raw(",\n");
-  out.raw(" \"animation\": {").member("vertices", d.vertices).raw(", ").member("faces", d.faces);
-  out.raw(", ").member("frames", d.frames).raw(", ").member("frame_duration", d.frame_duration);
-  out.raw(",\n               ").member("bounding_box_diagonal", d.bounding_box_diagonal);
-  out.raw(", ").member("mean_edge_length", d.mean_edge_length);
-  internal::write_parts(out, d.origins);
-  out.raw("},\n");
+  std::vector<std::vector<std::size_t>> file_vertices;
+  if (!description.origins.empty())
+    for (const Feature_point& feature : features) file_vertices.push_back(description.origins.of(feature.vertex_index));
+  internal::write_json(os, features, description, file_vertices);
+}
 
-  out.raw(" \"parameters\": {");
-  const char* separator = "\n  ";
-  for (const auto& parameter : d.parameters) {
-    out.raw(separator).member(parameter.first, parameter.second);
-    separator = ",\n  ";
-  }
-  out.raw("},\n");
+/*!
+\ingroup PkgAnimatedMeshFeaturesWriting
 
-  out.raw(" ");
-  internal::write_json_features(out, features, d.origins);
-  out.raw("}\n").flush();
+writes what `read_json()` has read, or features with a selection of them taken out. Of a file that `write_json()` has
+written and nobody has changed, it makes the same bytes.
+*/
+inline void write_json(std::ostream& os, const Feature_file_data& data)
+{
+  internal::write_json(os, data.features, data.description, data.file_vertices);
 }
 
 } // namespace IO
