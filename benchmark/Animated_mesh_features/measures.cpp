@@ -259,7 +259,8 @@ void compare_curvature(const Workload& w, const Sequence& sequence, const Float_
     report.add(table);
   }
   const double radius = 3 * shape.mean_edge_length();
-  const Amf::Compressed_rows balls = Amf::geodesic_balls<CGAL::Parallel_if_available_tag>(sequence.rest_shape(), radius);
+  const Amf::Compressed_rows balls =
+      Amf::geodesic_balls<CGAL::Parallel_if_available_tag>(sequence.rest_shape(), radius);
   const Amf::Compressed_rows edges = edges_in_balls(shape, balls);
   Field reference(shape.number_of_vertices(), sequence.number_of_frames()), other = reference;
   naive_curvature(w, shape, edges, angles, reference);

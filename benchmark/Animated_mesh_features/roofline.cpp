@@ -278,7 +278,8 @@ int main(int argc, char* argv[])
     Amf::Published_options published = Amf::published_options(8);
     published.sampling.max_space_count = space;
     published.sampling.max_time_count = time;
-    const Amf::Compressed_rows balls = Amf::geodesic_balls<CGAL::Parallel_if_available_tag>(sequence->rest_shape(), radius);
+    const Amf::Compressed_rows balls =
+        Amf::geodesic_balls<CGAL::Parallel_if_available_tag>(sequence->rest_shape(), radius);
     const auto change = Amf::curvature_change<CGAL::Parallel_if_available_tag>(*sequence, balls);
     const auto float_change = Amf::curvature_change<CGAL::Parallel_if_available_tag>(*floats, balls);
     const double samples = n * f * double(space) * double(time);

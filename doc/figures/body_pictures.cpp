@@ -103,8 +103,8 @@ void draw(const std::string& path, const Animated_mesh_generators::Generated_ani
     draw_text(picture, bodies[i].label, double(panel.left) + (w - text_width(bodies[i].label, text)) / 2,
               double(panel.top) + 2 * text, text, ink);
   }
-  draw_legend(picture, {{name, "0", "\xe2\x89\xa5 " + short_number(most, 2), &field_colours()}},
-              double(legend_top), double(height - legend_top), text, ink);
+  draw_legend(picture, {{name, "0", "\xe2\x89\xa5 " + short_number(most, 2), &field_colours()}}, double(legend_top),
+              double(height - legend_top), text, ink);
 
   std::ofstream out(path, std::ios::binary);
   const std::string png = AMF::IO::internal::encoded_png(picture);

@@ -186,10 +186,10 @@ void varying_density(const std::string& path)
   json.add("size", size);
   json.add("places", places);
   json.add("heat", sigma_of_blobs(shape, places, size, calibrated));
-  json.add("one_ring", sigma_of_blobs(shape, places, size,
-                                      calibrated.with_spatial_filter(AMF::One_ring_average_filter(false))));
-  json.add("one_ring_per_vertex", sigma_of_blobs(shape, places, size,
-                                                 calibrated.with_spatial_filter(AMF::One_ring_average_filter(true))));
+  json.add("one_ring",
+           sigma_of_blobs(shape, places, size, calibrated.with_spatial_filter(AMF::One_ring_average_filter(false))));
+  json.add("one_ring_per_vertex",
+           sigma_of_blobs(shape, places, size, calibrated.with_spatial_filter(AMF::One_ring_average_filter(true))));
   Rows edges;
   for (Mesh::Edge_index e : mesh.edges()) {
     const Point_3 &p = mesh.point(mesh.vertex(e, 0)), &q = mesh.point(mesh.vertex(e, 1));

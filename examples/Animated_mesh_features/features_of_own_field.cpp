@@ -33,8 +33,8 @@ const double size = 0.35, moment = 0.8, duration = 0.15;
 double temperature(const Point_3& p, double time)
 {
   const double late = time - moment;
-  return 20 + 80 * std::exp(-CGAL::squared_distance(p, flame) / (2 * size * size) -
-                            late * late / (2 * duration * duration));
+  return 20 +
+         80 * std::exp(-CGAL::squared_distance(p, flame) / (2 * size * size) - late * late / (2 * duration * duration));
 }
 
 int main()

@@ -54,7 +54,7 @@ int main()
 
   AMF::Deformation_measurement<Frame_sequence> measurement(animation);
   std::vector<Detector::Feature> features;
-  for (int patience : {150, 10000}) {
+  for (int patience : {300, 10000}) {
     Progress progress = {patience};
     try {
       Detector detector(animation.rest_shape(), measurement.deformation(progress), animation.frame_duration(),

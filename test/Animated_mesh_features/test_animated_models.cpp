@@ -236,7 +236,8 @@ void test_sampled_clip()
   };
   bool is_stopped = false;
   try {
-    IO::sample_clip<double>(square(), sampling, "file", [](std::size_t, std::size_t) -> std::shared_ptr<Field_memory> { throw Stop(); });
+    IO::sample_clip<double>(square(), sampling, "file",
+                            [](std::size_t, std::size_t) -> std::shared_ptr<Field_memory> { throw Stop(); });
   } catch (const Stop&) {
     is_stopped = true;
   }

@@ -210,14 +210,16 @@ Mesh irregular_square()
   Delaunay delaunay;
   std::map<Delaunay::Vertex_handle, Mesh::Vertex_index> index;
   Mesh mesh;
-  for (const Point& p : points)
-    index[delaunay.insert(Traits::Point_2(p.x(), p.y(), 0))] = mesh.add_vertex(p);
+  for (const Point& p : points) index[delaunay.insert(Traits::Point_2(p.x(), p.y(), 0))] = mesh.add_vertex(p);
   for (auto f = delaunay.finite_faces_begin(); f != delaunay.finite_faces_end(); ++f)
     mesh.add_face(index[f->vertex(0)], index[f->vertex(1)], index[f->vertex(2)]);
   return mesh;
 }
 
-double euclid(const Point& p, const Point& q) { return std::sqrt(CGAL::squared_distance(p, q)); }
+double euclid(const Point& p, const Point& q)
+{
+  return std::sqrt(CGAL::squared_distance(p, q));
+}
 
 } // namespace
 
@@ -265,10 +267,11 @@ int main()
 
   const Mesh square = irregular_square();
   std::cout << "irregular square: " << num_vertices(square) << " vertices" << std::endl;
-  const std::vector<Blob> on_square = {
-      {Point(-0.5, -0.5, 0), 0.4, 0.14, 0.08, 1}, {Point(-0.45, 0.5, 0), 1.1, 0.12, 0.1, 1},
-      {Point(0.02, 0.01, 0), 0.8, 0.11, 0.12, 1}, {Point(0.5, -0.5, 0), 1.2, 0.1, 0.09, 1},
-      {Point(0.55, 0.45, 0), 0.5, 0.13, 0.1, 1}};
+  const std::vector<Blob> on_square = {{Point(-0.5, -0.5, 0), 0.4, 0.14, 0.08, 1},
+                                       {Point(-0.45, 0.5, 0), 1.1, 0.12, 0.1, 1},
+                                       {Point(0.02, 0.01, 0), 0.8, 0.11, 0.12, 1},
+                                       {Point(0.5, -0.5, 0), 1.2, 0.1, 0.09, 1},
+                                       {Point(0.55, 0.45, 0), 0.5, 0.13, 0.1, 1}};
   check("8-fold density, heat", square, on_square, euclid, scales(Amf::calibrated_options(), 0.06, 0.3),
         {0.01, 0.026, 0.1, 0.05});
   check("8-fold density, one-ring", square, on_square, euclid, scales(ring, 0.06, 0.3), {0.06, 0.12, 0.3, 0.05});

@@ -455,7 +455,8 @@ struct Angle_loop
   CGAL_ANIMATED_MESH_FEATURES_INLINE void run()
   {
     typedef Amf::internal::Pack<FT, width, register_bytes> P;
-    for (std::size_t i = 0; i < n; i += width) Amf::internal::signed_angle(P::load(y + i), P::load(x + i)).store(angles + i);
+    for (std::size_t i = 0; i < n; i += width)
+      Amf::internal::signed_angle(P::load(y + i), P::load(x + i)).store(angles + i);
   }
 };
 
@@ -508,7 +509,8 @@ void test_instructions()
   Amf::Default_visitor visitor;
   const Amf::Task_loop<CGAL::Sequential_tag, Amf::Default_visitor> loop(visitor, Amf::Stage::CURVATURE);
   const auto change = [&](const auto& measure, Ai::Instruction_set instructions) {
-    return Ai::curvature_change_rows(sequence.rest_shape(), sequence.trajectories(), balls, measure, loop, instructions);
+    return Ai::curvature_change_rows(sequence.rest_shape(), sequence.trajectories(), balls, measure, loop,
+                                     instructions);
   };
   const auto expected = change(Measure(), Ai::Instruction_set::BASELINE);
   const auto strain = Amf::strain(sequence);
@@ -526,8 +528,7 @@ void test_radius()
   const Mesh mesh = mesh_of(w.rest);
   const auto sequence = sequence_of(mesh, w.rest.points, w.frames);
   const Amf::Rest_shape& rest = sequence.rest_shape();
-  CHECK_NEAR(Amf::default_ball_radius(rest),
-             (std::max)(0.045 * rest.diameter(), 3 * rest.mean_edge_length()), 1e-15);
+  CHECK_NEAR(Amf::default_ball_radius(rest), (std::max)(0.045 * rest.diameter(), 3 * rest.mean_edge_length()), 1e-15);
   CHECK_THROWS(Amf::Option_error, dijkstra_balls(sequence, -1), "radius");
   CHECK_THROWS(Amf::Option_error, dijkstra_balls(sequence, std::numeric_limits<double>::quiet_NaN()), "radius");
   CHECK_THROWS(Amf::Option_error, dijkstra_balls(sequence, std::numeric_limits<double>::infinity()), "radius");

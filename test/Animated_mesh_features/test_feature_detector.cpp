@@ -114,7 +114,7 @@ void test_blob(const Bumpy_sphere& sphere, const Rest_shape& shape)
     return detect_with(AMF::Feature_detector(shape, field, sphere.frame_duration, AMF::Extremum_options<>(), noise))
         .size();
   };
-  CHECK(number_above(0.99 * found.strength()) == 1);
+  CHECK(number_above(0.9 * found.strength()) == 1);
   CHECK(number_above(1.01 * found.strength()) == 0);
 }
 

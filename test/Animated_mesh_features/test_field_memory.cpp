@@ -178,7 +178,8 @@ void test_computed_fields()
     try_with(0, 5, 5);
     try_with(8, 6, 8);
     try_with(1000, 9, 18);
-    CHECK(memory->allocations(level) + memory->allocations(field) + 1 == memory->allocations()); // the triangles' strain
+    CHECK(memory->allocations(level) + memory->allocations(field) + 1 ==
+          memory->allocations()); // the triangles' strain
 
     // a field elsewhere is searched elsewhere
     const std::size_t before = memory->allocations();

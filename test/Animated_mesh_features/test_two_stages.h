@@ -27,8 +27,7 @@ namespace test_support {
 
 // A whole detection that can be asked again: the measurement of an animation, the detector of its deformation as soon as
 // that is there, and features on the mesh. What was done before an exception is not done again.
-template <class Animation,
-          class Options = CGAL::Animated_mesh_features::Calibrated_options,
+template <class Animation, class Options = CGAL::Animated_mesh_features::Calibrated_options,
           class ConcurrencyTag = CGAL::Parallel_if_available_tag>
 class Two_stages
 {
@@ -42,8 +41,7 @@ public:
   explicit Two_stages(const Animation& animation, const Options& options = Options())
     : m_measurement(animation, options)
     , m_selection(options.selection)
-  {
-  }
+  {}
   Two_stages(const Two_stages&) = delete;
   Two_stages& operator=(const Two_stages&) = delete;
 
@@ -61,8 +59,7 @@ public:
     m_detector->selection() = m_selection;
     std::vector<typename Detector::Feature> features;
     (*m_detector)(std::back_inserter(features), visitor);
-    for (const auto& feature : features)
-      *out++ = CGAL::Animated_mesh_features::place_on_animation(feature, sequence());
+    for (const auto& feature : features) *out++ = CGAL::Animated_mesh_features::place_on_animation(feature, sequence());
     return out;
   }
 
@@ -93,9 +90,8 @@ bool same(const std::vector<Feature>& a, const std::vector<Feature>& b)
 {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Feature& f, const Feature& g) {
     const auto members = [](const Feature& x) {
-      return std::tie(x.vertex, x.vertex_index, x.frame, x.time, x.refined_frame, x.triangle,
-                      x.barycentric_coordinates, x.position, x.rest_position, x.sigma, x.tau, x.response,
-                      x.at_scale_limit);
+      return std::tie(x.vertex, x.vertex_index, x.frame, x.time, x.refined_frame, x.triangle, x.barycentric_coordinates,
+                      x.position, x.rest_position, x.sigma, x.tau, x.response, x.at_scale_limit);
     };
     return members(f) == members(g);
   });

@@ -26,8 +26,7 @@ std::vector<Rest_shape::Point> rest_points(const Points& points, const std::vect
   std::vector<double> xyz(3 * vertices.size());
   copy_points(points, vertices, name, xyz.data());
   std::vector<Rest_shape::Point> rest(vertices.size());
-  for (std::size_t v = 0; v < rest.size(); ++v)
-    rest[v] = Rest_shape::Point(xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]);
+  for (std::size_t v = 0; v < rest.size(); ++v) rest[v] = Rest_shape::Point(xyz[3 * v], xyz[3 * v + 1], xyz[3 * v + 2]);
   return rest;
 }
 
