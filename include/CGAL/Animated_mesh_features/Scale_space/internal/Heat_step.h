@@ -119,10 +119,13 @@ private:
     CGAL_ANIMATED_MESH_FEATURES_INLINE void run()
     {
       typedef Pack<double, unit, register_bytes> Unit;
-      for (std::size_t v = 0; v < system.size(); ++v) {
-        const double* row = source.row(v) + first_frame;
-        for (std::size_t i = 0; i < inside; ++i) store_pack(Unit::load(row + i * unit), address(change, v, i));
-        for (std::size_t i = inside; i < units; ++i) std::fill_n(address(change, v, i), unit, T(0));
+      const auto rows = change.rows();
+      const std::size_t n = system.size(), begin = first_frame, stored = inside, all = units;
+      for (std::size_t v = 0; v < n; ++v) {
+        const double* row = source.row(v) + begin;
+        const auto to = rows[v];
+        for (std::size_t i = 0; i < stored; ++i) store_pack(Unit::load(row + i * unit), address(to, i));
+        for (std::size_t i = stored; i < all; ++i) std::fill_n(address(to, i), unit, T(0));
       }
     }
   };
@@ -138,9 +141,11 @@ private:
     CGAL_ANIMATED_MESH_FEATURES_INLINE void run()
     {
       typedef Pack<T, pack_size, register_bytes> Frames;
+      const auto rows = change.rows();
+      const auto next_rows = next.rows();
       for (std::size_t p = 0; p < change.number_of_packs(); ++p)
         for (Compressed_rows::Index v : system.symbolic().order())
-          (Frames::load(change.pack(v, p)) * T(system.mass()[v])).store(next.pack(v, p));
+          (Frames::load(rows[v].pack(p)) * T(system.mass()[v])).store(next_rows[v].pack(p));
     }
   };
 
@@ -157,22 +162,25 @@ private:
     {
       typedef Pack<double, unit, register_bytes> Unit;
       const double weight_of_next = 1 + std::sqrt(2.);
-      for (std::size_t v = 0; v < system.size(); ++v) {
-        const double* row = in.row(v) + first_frame;
-        double* to = out.row(v) + first_frame;
-        for (std::size_t i = 0; i < inside; ++i)
-          (Unit::load(row + i * unit) + load_pack<Unit>(address(change, v, i)) +
-           load_pack<Unit>(address(next, v, i)) * weight_of_next)
+      const auto rows = change.rows(), next_rows = next.rows();
+      const std::size_t n = system.size(), begin = first_frame, stored = inside;
+      for (std::size_t v = 0; v < n; ++v) {
+        const double* row = in.row(v) + begin;
+        double* to = out.row(v) + begin;
+        const auto first = rows[v], second = next_rows[v];
+        for (std::size_t i = 0; i < stored; ++i)
+          (Unit::load(row + i * unit) + load_pack<Unit>(address(first, i)) +
+           load_pack<Unit>(address(second, i)) * weight_of_next)
               .store(to + i * unit);
       }
     }
   };
 
   // Unit i of a row.
-  template <class Columns>
-  static CGAL_ANIMATED_MESH_FEATURES_INLINE auto address(Columns& x, std::size_t v, std::size_t i)
+  template <class Row>
+  static CGAL_ANIMATED_MESH_FEATURES_INLINE auto address(const Row& row, std::size_t i)
   {
-    return x.pack(v, i / units_per_pack) + i % units_per_pack * unit;
+    return row.pack(i / units_per_pack) + i % units_per_pack * unit;
   }
 
   const Heat_system& m_system;

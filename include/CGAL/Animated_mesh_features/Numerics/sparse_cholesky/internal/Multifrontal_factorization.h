@@ -40,8 +40,8 @@ public:
     , m_stack(symbolic.stack_size())
   {}
 
-  // `diagonal(i)` and `entry(i, k)`, for the k-th of the neighbours of row i, are the entries of the matrix. The values of
-  // the factor go to `factor`. Throws Numerical_error if the matrix is not positive definite.
+  // `diagonal(i)` and `entry(i, k)`, for the k-th of the neighbours of row i, are the entries of the matrix. The values
+  // of the factor go to `factor`. Throws Numerical_error if the matrix is not positive definite.
   template <class Diagonal, class Entry, class T>
   void run(const Diagonal& diagonal, const Entry& entry, T* factor)
   {

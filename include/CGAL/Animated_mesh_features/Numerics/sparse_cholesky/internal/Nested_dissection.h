@@ -23,13 +23,14 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// An order of elimination with little fill for a symmetric matrix whose graph is a mesh; A. George, Nested dissection of
-// a regular finite element mesh, SIAM J. Numer. Anal. 10(2), 1973. A part is cut in two by those vertices on one side of
-// a plane that have neighbours on the other. They come last, and before them the two sides, cut in the same way; small
-// parts are ordered by minimum degree. A factor of a surface has O(N log N) entries and takes O(N^1.5) operations.
+// An order of elimination with little fill for a symmetric matrix whose graph is a mesh; A. George, Nested dissection
+// of a regular finite element mesh, SIAM J. Numer. Anal. 10(2), 1973. A part is cut in two by those vertices on one
+// side of a plane that have neighbours on the other. They come last, and before them the two sides, cut in the same
+// way; small parts are ordered by minimum degree. A factor of a surface has O(N log N) entries and takes O(N^1.5)
+// operations.
 //
-// Positions count in integers, so that the order is the same on all machines. How good the order is depends on them, but
-// not that it is one: vertices may lie at the same place.
+// Positions count in integers, so that the order is the same on all machines. How good the order is depends on them,
+// but not that it is one: vertices may lie at the same place.
 class Nested_dissection
 {
 public:
@@ -139,8 +140,8 @@ private:
   {
     Place low = m_places[m_order[first]], high = low;
     for (std::size_t i = first; i < last; ++i) extend(low, high, m_places[m_order[i]]);
-    // In a bin, how many more than in the one before: vertices below the upper end of the bin, separators on either side
-    // of that.
+    // In a bin, how many more than in the one before: vertices below the upper end of the bin, separators on either
+    // side of that.
     struct Counts
     {
       std::int32_t vertices = 0, below = 0, above = 0;
@@ -198,9 +199,9 @@ private:
   // Pairs of vertices around a part, for each vertex of it, at most; where meshes are cut there are some 20.
   static constexpr std::size_t most_pairs = 100;
 
-  // Neighbours that are eliminated later take part, as the clique that they end up as once all of the part are gone, which
-  // saves some fill. Where there are so many that a clique would take much memory, minimum degree leaves them out as too
-  // dense anyway.
+  // Neighbours that are eliminated later take part, as the clique that they end up as once all of the part are gone,
+  // which saves some fill. Where there are so many that a clique would take much memory, minimum degree leaves them out
+  // as too dense anyway.
   void order_by_degree(std::size_t first, std::size_t last)
   {
     const std::vector<Index> part(m_order.begin() + std::ptrdiff_t(first), m_order.begin() + std::ptrdiff_t(last));

@@ -18,9 +18,9 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// The triangular solves of a factor, in place, for many right-hand sides at a time, for run_reproducibly(). They come in
-// packs of a cache line, of which four rows are held in registers: each entry of the factor that is loaded serves all of
-// a pack. Several packs take turns at each panel, while it is in the L1 cache.
+// The triangular solves of a factor, in place, for many right-hand sides at a time, for run_reproducibly(). They come
+// in packs of a cache line, of which four rows are held in registers: each entry of the factor that is loaded serves a
+// whole pack. Several packs take turns at each panel, while it is in the L1 cache.
 template <class T>
 struct Triangular_solve
 {
