@@ -13,9 +13,11 @@
 
 #include "generators/articulated_figure.h"
 
-#include "pictures/Png_encoder.h"
+#include "drawing/Canvas.h"
+#include "drawing/Legend.h"
+#include "drawing/decimal.h"
 #include "rendering/Contact_sheet.h"
-#include "rendering/Legend.h"
+#include "rendering/Palette.h"
 #include "rendering/Panel_cameras.h"
 #include "rendering/render.h"
 
@@ -36,7 +38,8 @@
 
 namespace AMF = CGAL::Animated_mesh_features;
 using namespace figures;
-using namespace AMF::Rendering;
+using namespace Programs;
+using namespace Programs::Rendering;
 typedef AMF::Spatio_temporal_field<double> Field;
 typedef AMF::Deformation_measurement<Frame_sequence> Measurement;
 
@@ -89,7 +92,6 @@ void draw(const std::string& path, const Animated_mesh_generators::Generated_ani
   const double text = 11;
   const std::size_t legend_top = height - 44;
   Srgb_image picture(width, height, {{255, 255, 255}});
-  const Srgb8 ink = ink_on(Colour::Ones());
   const std::vector<Panel> all = panels(bodies.size(), width, legend_top, cameras.aspect());
   for (std::size_t i = 0; i < all.size(); ++i) {
     const Panel& panel = all[i];
@@ -100,14 +102,20 @@ void draw(const std::string& path, const Animated_mesh_generators::Generated_ani
     const Image image = render(surfaces[i], cameras.camera(i, w, h, w - 20, h - 60), set);
     for (std::size_t y = 0; y < panel.height; ++y)
       for (std::size_t x = 0; x < panel.width; ++x) picture(panel.left + x, panel.top + y) = encoded(image(x, y));
-    draw_text(picture, bodies[i].label, double(panel.left) + (w - text_width(bodies[i].label, text)) / 2,
-              double(panel.top) + 2 * text, text, ink);
   }
-  draw_legend(picture, {{name, "0", "\xe2\x89\xa5 " + short_number(most, 2), &field_colours()}}, double(legend_top),
-              double(height - legend_top), text, ink);
+  Canvas canvas(picture);
+  Text_style style;
+  style.size = text / capital_height;
+  style.colour = ink_on(Colour::Ones());
+  style.anchor = 0.5;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    canvas.text(double(all[i].left) + double(all[i].width) / 2, double(all[i].top) + 2 * text, bodies[i].label, style);
+  style.anchor = 0;
+  draw_legend(canvas, {{name, "0", "\xe2\x89\xa5 " + rounded(most, 2), &field_colours()}}, double(width),
+              double(legend_top), double(height - legend_top), style);
 
   std::ofstream out(path, std::ios::binary);
-  const std::string png = AMF::IO::internal::encoded_png(picture);
+  const std::string png = canvas.file();
   out.write(png.data(), std::streamsize(png.size()));
   if (!out) throw std::runtime_error("cannot write " + path);
 }
@@ -158,7 +166,7 @@ int main(int argc, char* argv[])
     Field from = measurement.deformation(), to(from.number_of_rows(), from.number_of_frames());
     for (std::size_t k = 0; k < sigma.size(); ++k) {
       filter(k, from, to, Plain_loop());
-      levels.push_back({"\xcf\x83 = " + short_number(sigma[k], 2), shown_frame, column(to, shown_frame)});
+      levels.push_back({"\xcf\x83 = " + rounded(sigma[k], 2), shown_frame, column(to, shown_frame)});
       from.swap(to);
     }
     draw(folder + "smoothing_in_space.png", figure, levels, most, "deformation");

@@ -281,7 +281,7 @@ void colours(const std::string& path)
 {
   Rows field;
   for (int i = 0; i <= 32; ++i) {
-    const AMF::Rendering::Srgb8 c = AMF::Rendering::encoded(AMF::Rendering::field_colours()(i / 32.));
+    const Programs::Rendering::Srgb8 c = Programs::Rendering::encoded(Programs::Rendering::field_colours()(i / 32.));
     field.push_back({double(c[0]), double(c[1]), double(c[2])});
   }
   Json_file(path).add("field", field);

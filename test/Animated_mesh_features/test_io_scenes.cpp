@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Scenes: when features live, folders of results, what does not fit, numbers for people; in any locale. What is in the
-// files is tested by test_write_*.sh, with the programs that read them.
+// Scenes: when features live, folders of results, what does not fit; in any locale. What is in the files is tested by
+// test_write_*.sh, with the programs that read them.
 
 #include "test_io_support.h"
 
@@ -13,9 +13,7 @@
 #include <CGAL/Animated_mesh_features/IO/Output_folder.h>
 #include "scenes/Scene.h"
 #include "scenes/feature_in_frame.h"
-#include "plots/Plot_axis.h"
 #include "scenes/write_glb.h"
-#include "plots/write_plot.h"
 #include "scenes/write_vtk.h"
 #include <CGAL/Animated_mesh_features/Detection/Spatio_temporal_feature.h>
 #include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
@@ -109,13 +107,6 @@ std::string glb(const Scene& scene)
   return os.str();
 }
 
-std::string plot(const Scene& scene)
-{
-  std::ostringstream os;
-  IO::write_plot(os, scene);
-  return os.str();
-}
-
 void test_checks()
 {
   const Flap flap;
@@ -124,11 +115,10 @@ void test_checks()
   const Scene good{sequence, flap.features, {{"a", &field}}, "title"};
   CHECK(good.field("a") == &field && good.field("b") == nullptr);
   CHECK(glb(good).size() > 1000);
-  CHECK(plot(good).size() > 1000);
   CHECK_THROWS(Option_error, glb({sequence, flap.features, {{"a", &small}}, ""}), "5 x 19");
   field(2, 7) = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS(Input_error, glb(good), "frame 7");
-  CHECK_THROWS(Input_error, plot(good), "vertex 2");
+  CHECK_THROWS(Input_error, glb(good), "vertex 2");
   field(2, 7) = 1e200;
   CHECK_THROWS(Output_error, glb(good), "single precision");
 
@@ -136,10 +126,10 @@ void test_checks()
   features.push_back(features[0]);
   features[1].vertex_index = 5;
   const Scene bad{sequence, features, {}, ""};
-  CHECK_THROWS(Input_error, plot(bad), "feature 1 has the vertex 5");
+  CHECK_THROWS(Input_error, glb(bad), "feature 1 has the vertex 5");
   features[1].vertex_index = 3;
   features[1].triangle[2] = 7;
-  CHECK_THROWS(Input_error, plot(bad), "vertex 7");
+  CHECK_THROWS(Input_error, glb(bad), "vertex 7");
   features[1].triangle[2] = 0;
   features[1].frame = 20;
   CHECK_THROWS(Input_error, glb(bad), "frame 20");
@@ -151,10 +141,7 @@ void test_text_of_files()
   const Sequence sequence = flap.sequence();
   const std::string title = "a <b> & \"c\" \x01\xff";
   const Scene scene{sequence, flap.features, {}, title};
-  CHECK(plot(scene).find("a &lt;b&gt; &amp; &quot;c&quot; \xef\xbf\xbd\xef\xbf\xbd") != std::string::npos);
   CHECK(glb(scene).find("\"name\": \"a <b> & \\\"c\\\" \\u0001\xef\xbf\xbd\"") != std::string::npos);
-  // the tick at 0.5 of a locale that writes 0,5
-  CHECK(plot(scene).find(">0.5<") != std::string::npos);
   CHECK(glb(scene).find("\"frame_duration\": 0.1}") != std::string::npos);
 }
 
@@ -165,7 +152,7 @@ void test_vtk_folder()
   const Sequence sequence = flap.sequence();
   Spatio_temporal_field<double> field(5, 20);
   const std::vector<Feature> none;
-  const Scene scene{sequence, none, {{"a <field>", &field}}, ""};
+  const Scene scene{sequence, none, {{"a <field> & \"b\" \x01\xff", &field}}, ""};
   {
     IO::Output_folder output(folder.path("new"));
     IO::write_vtk(output, scene);
@@ -173,7 +160,7 @@ void test_vtk_folder()
     output.commit();
   }
   CHECK(folder.number_of_entries() == 1);
-  CHECK(folder.read("new/surface_0019.vtp").find("Name=\"a &lt;field&gt;\"") != std::string::npos);
+  CHECK(folder.read("new/surface_0019.vtp").find("Name=\"a &lt;field&gt; &amp; &quot;b&quot; \xef\xbf\xbd\xef\xbf\xbd\"") != std::string::npos);
   CHECK(folder.read("new/features_0003.vtp").find("NumberOfPoints=\"0\"") != std::string::npos);
   CHECK(folder.read("new/surface.pvd").find("timestep=\"0.5\"") != std::string::npos);
 
@@ -234,30 +221,6 @@ void test_output_folder()
       folder.path("a/x"));
 }
 
-std::string joined(const std::vector<IO::internal::Plot_tick>& ticks)
-{
-  std::string text;
-  for (const auto& t : ticks) text += t.text + " ";
-  return text;
-}
-
-void test_numbers_for_people()
-{
-  using namespace IO::internal;
-  CHECK(decimal(-1234, -2) == "-12.34" && decimal(1200, -2) == "12" && decimal(5, -3) == "0.005" &&
-        decimal(7, 2) == "700");
-  CHECK(rounded(0.31678) == "0.317" && rounded(1. / 3, 1) == "0.3" && rounded(0) == "0" && rounded(-3.2504) == "-3.25");
-  CHECK(rounded(1.5e-7) == "1.5e-7" && rounded(1234567) == "1.23e6" && rounded(9.9999e7) == "1e8");
-  CHECK(joined(linear_ticks(0, 1.57, 8)) == "0 0.2 0.4 0.6 0.8 1 1.2 1.4 ");
-  CHECK(joined(linear_ticks(0, 2, 5, true)) == "0 1 2 ");
-  CHECK(joined(linear_ticks(-10, 47, 4)) == "0 20 40 ");
-  CHECK(joined(linear_ticks(3, 3, 4)).empty());
-  CHECK(joined(logarithmic_ticks(0.028, 0.11)) == "0.03 0.04 0.05 0.07 0.1 ");
-  CHECK(joined(logarithmic_ticks(0.028, 0.4)) == "0.03 0.05 0.1 0.2 0.3 ");
-  CHECK(joined(logarithmic_ticks(1, 1.2)) == "1 1.05 1.1 1.15 1.2 ");
-  CHECK(joined(logarithmic_ticks(0.001, 100)) == "0.001 0.01 0.1 1 10 100 ");
-}
-
 } // namespace
 
 int main()
@@ -268,6 +231,5 @@ int main()
   test_text_of_files();
   test_vtk_folder();
   test_output_folder();
-  test_numbers_for_people();
   return test_result();
 }
