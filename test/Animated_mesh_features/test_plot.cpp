@@ -268,6 +268,12 @@ std::size_t occurrences(const std::string& what, const std::string& text)
   return n;
 }
 
+// Features are the only thing that is half translucent; newer versions of cairo write attributes instead of styles.
+std::size_t features_in(const std::string& svg)
+{
+  return occurrences("fill-opacity:0.35", svg) + occurrences("fill-opacity=\"0.35\"", svg);
+}
+
 void test_files(const std::string& title)
 {
   const Flap flap;
@@ -280,9 +286,9 @@ void test_files(const std::string& title)
   read_xml(svg, tree);
   CHECK(tree.get<std::string>("svg.<xmlattr>.width") == "960px" &&
         tree.get<std::string>("svg.<xmlattr>.viewBox") == "0 0 960 760");
-  CHECK(occurrences("0.35", svg.str()) == flap.features.size());
+  CHECK(features_in(svg.str()) == flap.features.size());
   const std::vector<Shown_feature> none;
-  CHECK(occurrences("0.35", plot({sequence, none, {}, title})) == 0);
+  CHECK(features_in(plot({sequence, none, {}, title})) == 0);
 
   const std::string pdf = plot(scene, Drawing_format::PDF);
   CHECK(pdf.substr(0, 8) == "%PDF-1.4" && pdf.find("/Count 1\n") != std::string::npos);

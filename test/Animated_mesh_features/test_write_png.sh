@@ -11,6 +11,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/shell_test.bash"
 needs detect_features make_animation python3
 enter_empty_folder
+export SCENE_FILES="$tests/scene_files"
 
 "$generator" cylinder --vertices 1000 --fps 10 -o c >/dev/null || fail "make_animation"
 
@@ -22,36 +23,10 @@ if grep -q "built without pictures" err; then
 fi
 
 cat >png.py <<'PYTHON'
-import struct, sys, zlib
+import os, sys
 
-
-def rows(path):
-    """The pixels of a PNG, 8 bits RGB without interlace: a list of rows, each a list of (r, g, b)."""
-    data = open(path, "rb").read()
-    assert data[:8] == b"\x89PNG\r\n\x1a\n"
-    at, chunks = 8, []
-    while at < len(data):
-        length, kind = struct.unpack(">I4s", data[at:at + 8])
-        content = data[at + 8:at + 8 + length]
-        assert struct.unpack(">I", data[at + 8 + length:at + 12 + length])[0] == zlib.crc32(kind + content)
-        chunks.append((kind, content))
-        at += 12 + length
-    assert [k for k, _ in chunks] == [b"IHDR", b"sRGB", b"IDAT", b"IEND"]
-    width, height, *kind = struct.unpack(">IIBBBBB", chunks[0][1])
-    assert kind == [8, 2, 0, 0, 0]
-    raw, n = zlib.decompress(chunks[2][1]), 3 * width
-    assert len(raw) == height * (n + 1)
-    above, result = bytearray(n + 3), []
-    for y in range(height):
-        line, row = raw[y * (n + 1):(y + 1) * (n + 1)], bytearray(n + 3)
-        for i in range(n):
-            a, b, c = row[i], above[i + 3], above[i]
-            p = a + b - c
-            paeth = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2]
-            row[i + 3] = (line[i + 1] + (0, a, b, (a + b) // 2, paeth)[line[0]]) & 255
-        above = row
-        result.append([tuple(row[i:i + 3]) for i in range(3, n + 3, 3)])
-    return result
+sys.path.insert(0, os.environ["SCENE_FILES"])
+from png_file import read_png as rows
 
 
 def body(picture):

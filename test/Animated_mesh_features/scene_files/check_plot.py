@@ -1,103 +1,159 @@
-#!/usr/bin/env python3
 # Copyright (c) 2026 The Animated_mesh_features authors.
 #
 # This file is part of the package Animated_mesh_features for CGAL.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""check_plot.py PLOT.svg FEATURES.json
+"""check_plot.py PLOT.svg PLOT.pdf FEATURES.json TITLE [PLOT.png]
 
-Reads the numbers off the plot that detect_features --plot has written, as a reader would: by the ticks of its axes.
+Reads the numbers off the plots that detect_features --plot has written, as a reader would: by the ticks of their axes. The
+formats show the same; texts are read from the PDF, where they are texts.
 """
 
 import json
 import math
 import sys
-import xml.etree.ElementTree
 
+from plot_files import read_pdf, read_svg
+from png_file import read_png
 from scene_data import check, count, near
 
-SVG = "{http://www.w3.org/2000/svg}"
-root = xml.etree.ElementTree.parse(sys.argv[1]).getroot()
-result = json.load(open(sys.argv[2]))
+svg, width, height = read_svg(sys.argv[1])
+pdf, pdf_width, pdf_height = read_pdf(sys.argv[2])
+result = json.load(open(sys.argv[3]))
 features = result["features"]
 duration = (result["animation"]["frames"] - 1) * result["animation"]["frame_duration"]
-check(root.tag == SVG + "svg" and "prefers-color-scheme: dark" in root.find(SVG + "style").text, "light and dark")
-width, height = (float(root.get(name)) for name in ("width", "height"))
-groups = {g.get("id"): g for g in root.iter(SVG + "g")}
+check((width, height) == (960, 760), "the size of the SVG")
+check(near(pdf_width, width) and near(pdf_height, height), "the size of the PDF")
 
-for element in root.iter():
-    for name, value in element.attrib.items():
-        check("nan" not in value and "inf" not in value, "%s=%s is a number" % (name, value))
-    for name, most in (("x", width), ("y", height), ("cx", width), ("cy", height), ("x1", width), ("x2", width)):
-        if name in element.attrib:
-            check(0 <= float(element.get(name)) <= most, "%s is within the drawing" % element.get(name))
+WHITE, DIM, GRID = (1, 1, 1), (89 / 255, 99 / 255, 110 / 255), (209 / 255, 217 / 255, 224 / 255)
+ROUNDING = 0.02  # pixels
 
 
-def scale(group, axis, logarithm=False):
-    """The value at a place, by the first and the last tick."""
-    kind = {"x": "middle dim", "y": "end dim"}[axis]
-    ticks = [t for t in groups[group].iter(SVG + "text") if t.get("class") == kind]
-    check(2 <= len(ticks) <= 12, "%d ticks on the axis of %s" % (len(ticks), group))
-    # text is a little below its line
-    places = [float(t.get(axis)) - (4 if axis == "y" else 0) for t in ticks]
-    values = [float(t.text) for t in ticks]
-    if logarithm:
-        values = [math.log(v) for v in values]
+def same_colour(a, b, tolerance=0.003):
+    return a == b or (a is not None and b is not None and all(abs(x - y) < tolerance for x, y in zip(a, b)))
+
+
+def same(a, b):
+    """Whether two shapes are, to within the digits that are written."""
+    return all(same_colour(x, y) if isinstance(x or y, tuple) else x == y or abs(x - y) < ROUNDING for x, y in zip(a, b))
+
+
+paper = pdf.rectangles.pop(0)
+check(same(paper, (0, 0, width, height, WHITE)), "white paper")
+for kind in ("circles", "lines", "rectangles"):
+    a, b = getattr(svg, kind), getattr(pdf, kind)
+    check(len(a) == len(b) and all(same(x, y) for x, y in zip(a, b)), "the %s of SVG and PDF" % kind)
+
+for c in svg.circles:
+    check(0 <= c.x - c.r and c.x + c.r <= width and 0 <= c.y - c.r and c.y + c.r <= height, "%s is within" % (c,))
+for line in svg.lines:
+    check(0 <= min(line.x0, line.x1) and max(line.x0, line.x1) <= width, "%s is within the drawing" % (line,))
+    check(0 <= min(line.y0, line.y1) and max(line.y0, line.y1) <= height, "%s is within the drawing" % (line,))
+for t in pdf.texts:
+    right, bottom = (width, height) if not t.is_upward else (height, width)
+    check(0 <= min(t.begin, t.end) and max(t.begin, t.end) <= right and 0 < t.along < bottom, "%s is within" % (t,))
+
+texts = [t.text for t in pdf.texts]
+for text in [sys.argv[4], "time (s)", "strength"] + (["features"] * 2 if features else ["no features"]):
+    check(texts.count(text) >= 1, "the label %s among %s" % (text, texts))
+plural = "" if len(features) == 1 else "s"
+check(any(t.startswith("%d feature%s in" % (len(features), plural)) for t in texts), "how many")
+
+axes = sorted((line for line in svg.lines if same_colour(line.stroke, DIM) and line.x1 - line.x0 > 100),
+              key=lambda line: (line.y0, line.x0))
+check(len(axes) == (3 if features else 1), "%d horizontal axes" % len(axes))
+
+
+def scale(places, texts, logarithm, what):
+    """The value at a place, and what a pixel is, by all ticks of an axis."""
+    check(2 <= len(places) <= 12 and len(places) == len(texts), "%d ticks of %s" % (len(places), what))
+    values = [math.log(float(t.text)) if logarithm else float(t.text) for t in texts]
     slope = (values[-1] - values[0]) / (places[-1] - places[0])
-    for p, v in zip(places, values):
-        check(near(values[0] + slope * (p - places[0]), v, 0.01 * abs(slope)), "ticks of %s are where they are" % group)
     value = lambda place: values[0] + slope * (place - places[0])
+    for p, v in zip(places, values):
+        check(near(value(p), v, 0.01 * abs(slope)), "ticks of %s are where they are" % what)
     return (lambda place: math.exp(value(place))) if logarithm else value, abs(slope)
 
 
-def size(x):
-    return float(x.get("r"))
+def scale_x(axis, logarithm=False):
+    ticks = sorted(line.x0 for line in svg.lines if line.x0 == line.x1 and line.y0 == axis.y0
+                   and axis.x0 <= line.x0 <= axis.x1 and same_colour(line.stroke, DIM))
+    labels = sorted((t for t in pdf.texts if not t.is_upward and abs(t.along - axis.y0 - 20) < 0.1
+                     and axis.x0 - 20 < (t.begin + t.end) / 2 < axis.x1 + 20), key=lambda t: t.begin)
+    for tick, label in zip(ticks, labels):
+        check(abs((label.begin + label.end) / 2 - tick) < 0.5, "%s is below its tick" % label.text)
+    return scale(ticks, labels, logarithm, "a horizontal axis")
 
 
-texts = [t.text for t in root.iter(SVG + "text")]
-for text in ["time (s)", "strength"] + ["features"] * bool(features):
-    check(text in texts, "the label " + text)
-check("%d feature%s in" % (len(features), "" if len(features) == 1 else "s") in " ".join(t or "" for t in texts), "how many")
+def scale_y(axis, top):
+    labels = [t for t in pdf.texts if not t.is_upward and abs(t.end - axis.x0 + 8) < 0.5 and top < t.along < axis.y0 + 8]
+    places = [t.along - 0.73 * t.size / 2 for t in labels]  # text stands below its line
+    grid = [line.y0 for line in svg.lines if same_colour(line.stroke, GRID) and line.x0 == axis.x0 and line.x1 == axis.x1
+            and top < line.y0 < axis.y0]
+    check(len(grid) == len(labels) - 1 and all(abs(g - p) < ROUNDING for g, p in zip(grid, places[1:])), "lines of a grid")
+    check(abs(places[0] - axis.y0) < ROUNDING, "the axis is at 0")
+    return scale(places, labels, False, "a vertical axis")
 
-time, second = scale("time", "x")
-strength, unit = scale("strength", "y")
-drawn = {}
-for g in root.iter(SVG + "g"):
-    if g.get("class") == "feature":
-        drawn[int(g.find(SVG + "title").text.split(":")[0].split()[1])] = g
-check(sorted(drawn) == list(range(len(features))), "every feature is drawn")
+
+time, second = scale_x(axes[0])
+strength, unit = scale_y(axes[0], 70)
+circles = [c for c in svg.circles if c.fill]
+bars = [line for line in svg.lines if abs(line.width - 2.5) < 0.01]
+check(len(circles) == len(bars) == len(features), "every feature is drawn")
+largest_first = sorted(range(len(features)), key=lambda i: -features[i]["sigma"])
 if features:
     most = max(f["sigma"] for f in features)
-    largest = max(size(g.find(SVG + "circle")) for g in drawn.values())
-for i, f in enumerate(features):
-    circle, bar = drawn[i].find(SVG + "circle"), drawn[i].find(SVG + "line")
-    check(near(time(float(circle.get("cx"))), f["time"], 0.02 * second), "the time of feature %d" % i)
-    check(near(strength(float(circle.get("cy"))), f["strength"], 0.02 * unit), "the strength of feature %d" % i)
-    begin, end = (time(float(bar.get(name))) for name in ("x1", "x2"))
-    check(near(begin, max(0, f["time"] - f["tau"] / 2), 0.02 * second), "the begin of the bar of feature %d" % i)
-    check(near(end, min(duration, f["time"] + f["tau"] / 2), 0.02 * second), "the end of the bar of feature %d" % i)
-    check(near(size(circle), max(2, largest * f["sigma"] / most), 0.02), "the size of feature %d" % i)
-    title = drawn[i].find(SVG + "title").text
-    check("vertex %d," % f["vertex"] in title, "the tooltip of feature %d" % i)
+    largest = max(c.r for c in circles)
+for i, circle, bar in zip(largest_first, circles, bars):
+    f = features[i]
+    check(near(time(circle.x), f["time"], ROUNDING * second), "the time of feature %d" % i)
+    check(near(strength(circle.y), f["strength"], ROUNDING * unit), "the strength of feature %d" % i)
+    check(near(time(bar.x0), max(0, f["time"] - f["tau"] / 2), ROUNDING * second), "the begin of the bar of feature %d" % i)
+    check(near(time(bar.x1), min(duration, f["time"] + f["tau"] / 2), ROUNDING * second), "the end of the bar of feature %d" % i)
+    check(bar.y0 == bar.y1 and abs(bar.y0 - circle.y) < ROUNDING, "the height of the bar of feature %d" % i)
+    check(near(circle.r, max(2, largest * f["sigma"] / most), ROUNDING), "the size of feature %d" % i)
+    check(circle.opacity == 0.35 and circle.fill == circle.stroke == bar.stroke, "the colour of feature %d" % i)
+if features and max(f["tau"] for f in features) > min(f["tau"] for f in features):
+    by_tau = sorted(range(len(features)), key=lambda k: features[largest_first[k]]["tau"])
+    red, blue = circles[by_tau[0]].fill, circles[by_tau[-1]].fill
+    check(red[0] > 3 * red[2] and blue[2] > 3 * blue[0], "red is short, blue is long")
 
-for group, name in (("sigmas", "sigma"), ("taus", "tau")):
-    bars = [b for b in groups[group].iter(SVG + "rect")] if features else []
-    check(bool(bars) == bool(features), "a histogram of " + name)
-    if not bars:
-        continue
-    value, _ = scale(group, "x", True)
-    number, one = scale(group, "y")
-    bottom = max(float(b.get("y")) + float(b.get("height")) for b in bars)
+samples = [c for c in svg.circles if not c.fill]
+check(len(samples) == (3 if features else 0), "%d circles in the key" % len(samples))
+for c in samples:
+    label = [t for t in pdf.texts if abs(t.along - 0.73 * t.size / 2 - c.y) < 0.1 and t.begin > c.x + c.r]
+    check(len(label) == 1, "a circle of the key has one label")
+    check(c.r <= 2.01 or abs(float(label[0].text) / (c.r / largest * most) - 1) < 0.06, "the key says " + label[0].text)
+
+for axis, name in zip(axes[1:], ("sigma", "tau")):
+    value, _ = scale_x(axis, True)
+    number, one = scale_y(axis, 500)
+    columns = [r for r in svg.rectangles if axis.x0 <= r.x and r.x + r.width <= axis.x1 + 1]
     total = 0
-    for b in bars:
-        begin = value(float(b.get("x")) - 1)
-        end = value(float(b.get("x")) + float(b.get("width")) + 1)
+    for r in columns:
+        begin, end = value(r.x - 1), value(r.x + r.width + 1)
         inside = sum(begin * 0.9999 <= f[name] <= end * 1.0001 for f in features)
-        height = number(float(b.get("y")))
-        check(near(height, round(height), 0.05 * one) and round(height) == inside, "%s from %g to %g" % (name, begin, end))
-        total += round(height)
-        check(near(float(b.get("y")) + float(b.get("height")), bottom, 0.02), "columns stand on the axis")
+        n = number(r.y)
+        check(near(n, round(n), 0.05 * one) and round(n) == inside, "%s from %g to %g" % (name, begin, end))
+        total += round(n)
+        check(abs(r.y + r.height - axis.y0) < ROUNDING, "columns stand on the axis")
     check(total == len(features), "every feature is in the histogram of " + name)
 
-print("SVG: %d features: %d checks, all as expected" % (len(features), count()))
+if len(sys.argv) > 5:
+    pixels = read_png(sys.argv[5])
+    check((len(pixels[0]), len(pixels)) == (2 * width, 2 * height), "the size of the PNG")
+
+    def pixel(x, y):
+        return tuple(p / 255 for p in pixels[int(2 * y)][int(2 * x)])
+
+    check(all(pixel(x, y) == WHITE for x in (0, width - 1) for y in (0, height - 1)), "the paper of the PNG")
+    for r in svg.rectangles:
+        check(same_colour(pixel(r.x + r.width / 2, r.y + r.height / 2), r.fill), "a column of the PNG")
+    for axis in axes:
+        x = next(axis.x0 + i for i in range(2, 100) if all(abs(axis.x0 + i - line.x0) > 2 for line in svg.lines))  # no tick
+        check(same_colour(pixel(x, axis.y0), DIM) and pixel(x, axis.y0 + 3) == WHITE, "an axis of the PNG")
+    # on its bar, of the same colour: two roundings
+    check(same_colour(pixel(circles[-1].x, circles[-1].y), circles[-1].fill, 0.006), "the last circle of the PNG")
+
+print("SVG, PDF%s: %d features: %d checks, all as expected" % (", PNG" * (len(sys.argv) > 5), len(features), count()))

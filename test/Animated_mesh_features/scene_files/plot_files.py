@@ -10,6 +10,7 @@ Readers of what cairo writes for drawings of one page, not of all that these for
 corner, in pixels of 1/96 inch.
 """
 
+import math
 import re
 import xml.etree.ElementTree
 import zlib
@@ -19,8 +20,8 @@ from collections import namedtuple
 Circle = namedtuple("Circle", "x y r fill opacity stroke")
 Line = namedtuple("Line", "x0 y0 x1 y1 stroke width")
 Rectangle = namedtuple("Rectangle", "x y width height fill")
-# of its base line: where it starts and ends, the end None for fonts whose widths are not read
-Text = namedtuple("Text", "text x y end size is_upward")
+# from `begin` to `end` on a base line: from left to right at the height `along`, or upwards, `along` from the left
+Text = namedtuple("Text", "text begin along end size is_upward")
 
 
 class Drawing:
@@ -35,7 +36,10 @@ class Drawing:
         if re.fullmatch("mc{2,}h?", kinds):
             # it starts at its right end, and half of it is a number of pieces
             r = (max(xs) - min(xs)) / 2
-            self.circles.append(Circle(xs[0] - r, ys[0], r, fill, opacity, stroke))
+            circle = Circle(xs[0] - r, ys[0], r, fill, opacity, stroke)
+            if self.circles and stroke and not fill and self.circles[-1][:3] == circle[:3]:
+                circle = self.circles.pop()._replace(stroke=stroke)  # filled before
+            self.circles.append(circle)
         elif re.fullmatch("ml", kinds):
             self.lines.append(Line(xs[0], ys[0], xs[1], ys[1], stroke, width))
         elif re.fullmatch("mlll?h?", kinds) and fill is not None:
@@ -82,28 +86,30 @@ def read_svg(path):
 
 
 class Font:
-    """What the bytes of a string are, and how wide they are."""
+    """What the bytes of a string are, and how wide they are, in units of the font's size."""
 
     def __init__(self, pdf, body):
         self.bytes = 2 if b"/Type0" in body else 1
-        self.characters, self.widths = {}, None
+        self.characters = {}
         found = re.search(rb"/ToUnicode (\d+) 0 R", body)
         if found:
             for code, text in re.findall(rb"<(\w+)> <(\w+)>\n", pdf.stream(int(found.group(1))).split(b"beginbfchar", 1)[-1]):
                 self.characters[int(code, 16)] = bytes.fromhex(text.decode()).decode("utf-16-be")
-        if self.bytes == 1:
-            first = int(re.search(rb"/FirstChar (\d+)", body).group(1))
-            widths = re.search(rb"/Widths \[([^\]]*)\]", body).group(1).split()
-            self.widths = {first + i: float(w) / 1000 for i, w in enumerate(widths)}
+        if self.bytes == 2:
+            body = pdf.objects[int(re.search(rb"/DescendantFonts \[\s*(\d+) 0 R", body).group(1))]
+            first, widths = re.search(rb"/W \[\s*(\d+) \[([^\]]*)\]", body).groups()
+        else:
+            first, widths = (re.search(p, body).group(1) for p in (rb"/FirstChar (\d+)", rb"/Widths \[([^\]]*)\]"))
+        self.widths = {int(first) + i: float(w) / 1000 for i, w in enumerate(widths.split())}
+
+    def codes(self, string):
+        return [int.from_bytes(string[i:i + self.bytes], "big") for i in range(0, len(string), self.bytes)]
 
     def text(self, string):
-        codes = [int.from_bytes(string[i:i + self.bytes], "big") for i in range(0, len(string), self.bytes)]
-        if self.bytes == 1:
-            return "".join(self.characters.get(c, bytes([c]).decode("cp1252", "replace")) for c in codes)
-        return "".join(self.characters[c] for c in codes)
+        return "".join(self.characters.get(c) or bytes([c]).decode("cp1252") for c in self.codes(string))
 
     def width(self, string):
-        return None if self.widths is None else sum(self.widths[c] for c in string)
+        return sum(self.widths[c] for c in self.codes(string))
 
 
 class Pdf:
@@ -171,33 +177,29 @@ def read_pdf(path):
     state = {"m": (unit, 0, 0, -unit, 0, box[3] * unit), "fill": (0, 0, 0), "stroke": (0, 0, 0), "opacity": 1, "width": 1,
              "font": None, "size": 1}
     stack, operands, array, pieces = [], [], None, []
-    line_matrix = identity
+    line_matrix = text_matrix = identity
 
     def show(parts):
-        """A line of text: strings and the distances between them, in thousandths, to the left."""
-        nonlocal line_matrix
-        font = fonts[state["font"]]
-        text, start, x = "", 0., 0.
-
-        def flush():
-            if text:
-                m = times(line_matrix, state["m"])
-                (px, py), (qx, qy) = at(m, start * state["size"], 0), at(m, (x or 0) * state["size"], 0)
-                ux, uy = at(m, 0, state["size"])
-                size = ((ux - px) ** 2 + (uy - py) ** 2) ** 0.5 if start == 0 else None
-                drawing.texts.append(Text(text, px, py, None if x is None else (qx if qy == py else qy), size, m[0] == 0))
-
+        """Strings, and the distances between them, in thousandths, to the left."""
+        nonlocal text_matrix
+        font, size = fonts[state["font"]], state["size"]
         for part in parts:
             if isinstance(part, bytes):
-                text += font.text(part)
-                width = font.width(part)
-                x = None if width is None or x is None else x + width
-            elif x is not None:
-                if abs(part) > 1000:  # another text
-                    flush()
-                    text, start = "", x - part / 1000
-                x -= part / 1000
-        flush()
+                width = font.width(part) * size
+                m = times(text_matrix, state["m"])
+                (x, y), (end_x, end_y), (up_x, up_y) = at(m, 0, 0), at(m, width, 0), at(m, 0, size)
+                is_upward = abs(end_y - y) > abs(end_x - x)
+                along, begin, end = (x, y, end_y) if is_upward else (y, x, end_x)
+                text = Text(font.text(part), begin, along, end, math.hypot(up_x - x, up_y - y), is_upward)
+                last = drawing.texts[-1] if drawing.texts else None
+                # cairo changes fonts within a text, and moves letters a little
+                if last and last[2:3] + last[5:] == text[2:3] + text[5:] and abs(last.end - begin) < 1:
+                    drawing.texts[-1] = last._replace(text=last.text + text.text, end=end)
+                else:
+                    drawing.texts.append(text)
+                text_matrix = times((1, 0, 0, 1, width, 0), text_matrix)
+            else:
+                text_matrix = times((1, 0, 0, 1, -part / 1000 * size, 0), text_matrix)
 
     for string, hexadecimal, name, bracket, number, operator in TOKEN.findall(content):
         if string or hexadecimal or name or number:
@@ -229,11 +231,11 @@ def read_pdf(path):
         elif op == "w":
             state["width"] = o[0]
         elif op == "BT":
-            line_matrix = identity
+            line_matrix = text_matrix = identity
         elif op == "Tm":
-            line_matrix = tuple(o)
+            line_matrix = text_matrix = tuple(o)
         elif op == "Td":
-            line_matrix = times((1, 0, 0, 1, o[0], o[1]), line_matrix)
+            line_matrix = text_matrix = times((1, 0, 0, 1, o[0], o[1]), line_matrix)
         elif op == "Tf":
             state["font"], state["size"] = o
         elif op == "Tj":
@@ -257,37 +259,3 @@ def read_pdf(path):
                                  state["stroke"] if stroked else None, state["width"] * unit)
             pieces = []
     return drawing, box[2] * unit, box[3] * unit
-
-
-def read_png(path):
-    """The pixels of a PNG, 8 bits RGB without interlace: a list of rows, each a list of (r, g, b)."""
-    import struct
-    data = open(path, "rb").read()
-    assert data[:8] == b"\x89PNG\r\n\x1a\n"
-    position, chunks = 8, []
-    while position < len(data):
-        length, kind = struct.unpack(">I4s", data[position:position + 8])
-        content = data[position + 8:position + 8 + length]
-        assert struct.unpack(">I", data[position + 8 + length:position + 12 + length])[0] == zlib.crc32(kind + content)
-        chunks.append((kind, content))
-        position += 12 + length
-    kinds = [k for k, _ in chunks]
-    assert kinds[0] == b"IHDR" and kinds[-1] == b"IEND" and set(kinds) <= {b"IHDR", b"bKGD", b"IDAT", b"IEND"}
-    width, height, *kind = struct.unpack(">IIBBBBB", chunks[0][1])
-    assert kind == [8, 2, 0, 0, 0]
-    raw, n = zlib.decompress(b"".join(c for k, c in chunks if k == b"IDAT")), 3 * width
-    assert len(raw) == height * (n + 1)
-    above, result = bytearray(n + 3), []
-    for y in range(height):
-        line, row, method = raw[y * (n + 1) + 1:(y + 1) * (n + 1)], bytearray(n + 3), raw[y * (n + 1)]
-        assert method <= 4
-        if method == 0:
-            row[3:] = line
-        for i in range(n if method else 0):
-            a, b, c = row[i], above[i + 3], above[i]
-            p = a + b - c
-            paeth = min((abs(p - a), 0, a), (abs(p - b), 1, b), (abs(p - c), 2, c))[2] if method == 4 else 0
-            row[i + 3] = (line[i] + (0, a, b, (a + b) // 2, paeth)[method]) & 255
-        above = row
-        result.append([tuple(row[i:i + 3]) for i in range(3, n + 3, 3)])
-    return result
