@@ -6,8 +6,7 @@
 
 #include "reading/Model_file.h"
 
-#include <CGAL/Animated_mesh_features/IO/internal/file_content.h>
-#include <CGAL/Animated_mesh_features/IO/internal/file_endings.h>
+#include <CGAL/Animated_mesh_features/IO/file_format.h>
 #include <CGAL/Animated_mesh_features/IO/sample_clip.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
@@ -21,12 +20,8 @@
   #include <CGAL/Animated_mesh_features/IO/read_hdf5.h>
 #endif
 
-#include <array>
 #include <cstddef>
-#include <filesystem>
-#include <map>
 #include <string>
-#include <system_error>
 
 namespace AMF = CGAL::Animated_mesh_features;
 
@@ -34,28 +29,16 @@ namespace Detect_features {
 
 namespace {
 
-Model_format format_by_ending(const std::string& path)
+Model_format model_format(AMF::IO::File_format format)
 {
-  const std::map<std::string, Model_format> formats = {{".glb", Model_format::GLTF},   {".gltf", Model_format::GLTF},
-                                                       {".fbx", Model_format::ASSIMP}, {".dae", Model_format::ASSIMP},
-                                                       {".x", Model_format::ASSIMP},   {".h5", Model_format::HDF5},
-                                                       {".hdf5", Model_format::HDF5}};
-  const auto found = formats.find(AMF::IO::internal::ending(path));
-  return found == formats.end() ? Model_format::NONE : found->second;
-}
-
-Model_format format_by_content(const std::string& path)
-{
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return Model_format::NONE;
-  std::array<char, 18> bytes{};
-  const auto file = AMF::IO::internal::open_for_reading(path);
-  const std::string start(bytes.data(), AMF::IO::internal::read_bytes(file.get(), bytes.data(), bytes.size(), path));
-  const auto starts_with = [&](const std::string& text) { return start.compare(0, text.size(), text) == 0; };
-  if (starts_with("glTF")) return Model_format::GLTF;
-  if (starts_with("\x89HDF\r\n\x1a\n")) return Model_format::HDF5;
-  if (starts_with("Kaydara FBX Binary")) return Model_format::ASSIMP;
-  return Model_format::NONE;
+  switch (format) {
+  case AMF::IO::File_format::GLTF: return Model_format::GLTF;
+  case AMF::IO::File_format::FBX:
+  case AMF::IO::File_format::COLLADA:
+  case AMF::IO::File_format::X: return Model_format::ASSIMP;
+  case AMF::IO::File_format::HDF5: return Model_format::HDF5;
+  default: return Model_format::NONE;
+  }
 }
 
 AMF::IO::Clip_sampling sampling(const Command_line& c)
@@ -80,10 +63,7 @@ AMF::IO::Clip_sampling sampling(const Command_line& c)
 Model_format model_format(const std::vector<std::string>& inputs)
 {
   for (const std::string& input : inputs) {
-    const Model_format by_ending = format_by_ending(input);
-    const bool is_known = AMF::IO::internal::is_mesh_ending(AMF::IO::internal::ending(input)) ||
-                          AMF::IO::internal::is_cache_ending(AMF::IO::internal::ending(input));
-    const Model_format format = by_ending != Model_format::NONE || is_known ? by_ending : format_by_content(input);
+    const Model_format format = model_format(AMF::IO::file_format(input));
     if (format == Model_format::NONE) continue;
     if (inputs.size() > 1) throw AMF::Input_error(input + ": an animated model must be the only input");
     return format;
@@ -95,7 +75,7 @@ AMF::IO::Animation_file_data<double> read_model_file(const Command_line& c, Mode
                                                      const AMF::IO::Memory_chooser& choose_memory)
 {
   const std::string& file = c.inputs.front();
-  AMF::IO::internal::open_for_reading(file); // says by itself what is wrong with it
+  AMF::IO::check_readable(file);
   if (format == Model_format::GLTF) {
 #ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
     return AMF::IO::sample_clip<double>(AMF::IO::read_gltf(file), sampling(c), file, choose_memory);

@@ -9,10 +9,10 @@
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/IO/file_format.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Field_filler.h>
 #include <CGAL/Animated_mesh_features/IO/internal/bytes.h>
 #include <CGAL/Animated_mesh_features/IO/internal/file_content.h>
-#include <CGAL/Animated_mesh_features/IO/internal/file_endings.h>
 #include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
 #include <CGAL/Animated_mesh_features/IO/internal/read_frame_pieces.h>
 
@@ -56,13 +56,13 @@ public:
     : m_path(path)
     , m_file(internal::open_for_reading(path))
   {
-    const std::string e = internal::ending(path);
-    if (e == ".pc2") {
+    const File_format format = file_format_by_ending(path);
+    if (format == File_format::PC2) {
       read_pc2_header();
-    } else if (e == ".mdd") {
+    } else if (format == File_format::MDD) {
       read_mdd_header();
     } else {
-      fail("unknown kind of point cache \"" + e + "\"; known are .pc2 and .mdd");
+      fail("unknown kind of point cache \"" + file_ending(path) + "\"; known are .pc2 and .mdd");
     }
   }
 

@@ -8,7 +8,7 @@
 #define CGAL_ANIMATED_MESH_FEATURES_IO_FRAME_FILES_IN_FOLDER_H
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
-#include <CGAL/Animated_mesh_features/IO/internal/file_endings.h>
+#include <CGAL/Animated_mesh_features/IO/file_format.h>
 #include <CGAL/Animated_mesh_features/IO/natural_order.h>
 
 #include <algorithm>
@@ -40,10 +40,9 @@ inline std::vector<std::string> frame_files_in_folder(const std::string& folder)
   std::filesystem::directory_iterator i(folder, error);
   for (const std::filesystem::directory_iterator end; !error && i != end; i.increment(error)) {
     const std::string name = i->path().filename().string();
-    const std::string e = internal::ending(name);
     std::error_code ignored; // a link to nowhere is no file
-    if (name[0] != '.' && internal::is_mesh_ending(e) && i->is_regular_file(ignored))
-      files[e].push_back(i->path().string());
+    if (name[0] != '.' && is_mesh(file_format_by_ending(name)) && i->is_regular_file(ignored))
+      files[file_ending(name)].push_back(i->path().string());
   }
   if (error) throw Input_error(folder + ": cannot read the folder: " + error.message());
   if (files.empty()) throw Input_error(folder + ": the folder has no mesh files (.obj, .off, .ply, .stl)");

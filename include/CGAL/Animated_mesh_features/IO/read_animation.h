@@ -16,9 +16,9 @@
 #include <CGAL/Animated_mesh_features/IO/Point_cache_reader.h>
 #include <CGAL/Animated_mesh_features/IO/Vertex_origins.h>
 #include <CGAL/Animated_mesh_features/IO/check_same_connectivity.h>
+#include <CGAL/Animated_mesh_features/IO/file_format.h>
 #include <CGAL/Animated_mesh_features/IO/frame_files_in_folder.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Field_filler.h>
-#include <CGAL/Animated_mesh_features/IO/internal/file_endings.h>
 #include <CGAL/Animated_mesh_features/IO/natural_order.h>
 #include <CGAL/Animated_mesh_features/IO/read_mesh.h>
 
@@ -77,9 +77,8 @@ struct Animation_file_data
   /// where a frame comes from, for messages.
   std::string frame_name(std::size_t frame) const
   {
-    return internal::is_mesh_ending(internal::ending(sources.back()))
-               ? sources[frame]
-               : sources.back() + ", frame " + std::to_string(frame);
+    return is_mesh(file_format_by_ending(sources.back())) ? sources[frame]
+                                                          : sources.back() + ", frame " + std::to_string(frame);
   }
 };
 
@@ -183,7 +182,7 @@ Animation_file_data<FT> read_animation(const std::vector<std::string>& inputs,
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(input, error);
     if (!std::filesystem::exists(status)) throw Input_error(input + ": cannot read: " + error.message());
-    const bool is_cache = internal::is_cache_ending(internal::ending(input));
+    const bool is_cache = is_point_cache(file_format_by_ending(input));
     (std::filesystem::is_directory(status) ? folders : is_cache ? caches : meshes).push_back(input);
   }
 

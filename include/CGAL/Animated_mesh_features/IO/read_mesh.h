@@ -10,8 +10,8 @@
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
 #include <CGAL/Animated_mesh_features/IO/Mesh_reading_options.h>
+#include <CGAL/Animated_mesh_features/IO/file_format.h>
 #include <CGAL/Animated_mesh_features/IO/internal/file_content.h>
-#include <CGAL/Animated_mesh_features/IO/internal/file_endings.h>
 #include <CGAL/Animated_mesh_features/IO/internal/parse_obj.h>
 #include <CGAL/Animated_mesh_features/IO/internal/parse_off.h>
 #include <CGAL/Animated_mesh_features/IO/internal/parse_ply.h>
@@ -30,14 +30,15 @@ namespace internal {
 inline bool read_mesh(const std::string& path, const Mesh_reading_options& options, std::string& content,
                       Indexed_mesh& mesh, const Indexed_mesh* reference = nullptr)
 {
-  const std::string e = ending(path);
-  if (!is_mesh_ending(e))
-    throw Input_error(path + ": unknown kind of mesh file \"" + e + "\"; known are .obj, .off, .ply and .stl");
+  const File_format format = file_format_by_ending(path);
+  if (!is_mesh(format))
+    throw Input_error(path + ": unknown kind of mesh file \"" + file_ending(path) +
+                      "\"; known are .obj, .off, .ply and .stl");
   read_content(path, content);
   if (content.empty()) throw Input_error(path + ": is empty");
-  if (e == ".obj") return parse_obj(content, path, options, mesh, reference);
-  if (e == ".off") return parse_off(content, path, options, mesh, reference);
-  if (e == ".ply") return parse_ply(content, path, options, mesh, reference);
+  if (format == File_format::OBJ) return parse_obj(content, path, options, mesh, reference);
+  if (format == File_format::OFF) return parse_off(content, path, options, mesh, reference);
+  if (format == File_format::PLY) return parse_ply(content, path, options, mesh, reference);
   return parse_stl(content, path, options, mesh, reference);
 }
 
