@@ -1,6 +1,7 @@
-# Libraries for reading formats beyond those that the package reads by itself. Each is optional: without it the program
-# says so when it meets such a file. Header-only as the package is, whoever includes read_gltf.h, read_assimp.h or
-# read_hdf5.h links with the library by itself; this is for the programs and tests here.
+# Libraries for formats beyond those that the package reads by itself. Each is optional: without it the program
+# says so when it meets such a file. Only JSON, read_json.h and write_json.h, the programs cannot do without. Header-only as
+# the package is, whoever includes read_json.h, write_json.h, read_gltf.h, read_assimp.h or read_hdf5.h links with the
+# library by itself; this is for the programs and tests here.
 #
 # Defines the target Animated_mesh_features_formats, with a definition ANIMATED_MESH_FEATURES_WITH_... for each library,
 # and Animated_mesh_features_formats_text, which names what was found.
@@ -27,6 +28,12 @@ function(animated_mesh_features_format name meaning library)
     endif()
   endif()
 endfunction()
+
+# 3.9: objects that keep the order of their members
+find_package(nlohmann_json 3.9 CONFIG QUIET)
+if(TARGET nlohmann_json::nlohmann_json)
+  target_link_libraries(Animated_mesh_features_formats INTERFACE nlohmann_json::nlohmann_json)
+endif()
 
 foreach(name IN ITEMS GLTF ASSIMP HDF5)
   set(ANIMATED_MESH_FEATURES_WITH_${name} AUTO CACHE STRING

@@ -32,7 +32,7 @@ install(FILES
   DESTINATION "${package_folder}"
   COMPONENT development)
 
-# The page that IO/write_html.h fills; there is none if it could not be made.
+# The page that detect_features --html fills; there is none if it could not be made.
 if(DEFINED ANIMATED_MESH_FEATURES_VIEWER_PAGE)
   install(FILES "${ANIMATED_MESH_FEATURES_VIEWER_PAGE}"
     DESTINATION "${CMAKE_INSTALL_DATADIR}/Animated_mesh_features"

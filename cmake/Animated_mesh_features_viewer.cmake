@@ -27,8 +27,16 @@ elseif(NOT ZLIB_FOUND)
   message(STATUS "detect_features without --html: zlib is not here")
 endif()
 
-# animated_mesh_features_add_viewer(<target>): gives the program the page, if it can be had.
+# animated_mesh_features_add_viewer(<target>): gives the programs' library zlib, or takes from it what compresses with it,
+# and the page, if it can be had.
 function(animated_mesh_features_add_viewer target)
+  if(ZLIB_FOUND)
+    target_link_libraries(${target} PRIVATE ZLIB::ZLIB)
+  else()
+    get_target_property(sources ${target} SOURCES)
+    list(FILTER sources EXCLUDE REGEX "(^|/)page/deflated[.]cpp$")
+    set_property(TARGET ${target} PROPERTY SOURCES ${sources})
+  endif()
   if(NOT ANIMATED_MESH_FEATURES_WITH_VIEWER OR NOT ZLIB_FOUND)
     return()
   endif()
@@ -47,7 +55,6 @@ function(animated_mesh_features_add_viewer target)
     VERBATIM)
   add_dependencies(${target} viewer_page)
   target_sources(${target} PRIVATE "${source}")
-  target_link_libraries(${target} PRIVATE ZLIB::ZLIB)
   target_compile_definitions(${target} PRIVATE DETECT_FEATURES_WITH_VIEWER)
 
   # For those who change the viewer.

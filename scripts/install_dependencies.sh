@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Installs what is missing for building the package on Debian (12 or newer) or Ubuntu (24.04 or newer).
 #
-#   scripts/install_dependencies.sh           compiler, CMake, CGAL, Eigen, Boost, oneTBB, zlib, cairo with a font; tinygltf
-#                                             and, for the page of --html, Node.js, if they can be had
+#   scripts/install_dependencies.sh           compiler, CMake, CGAL, Eigen, Boost, oneTBB, zlib, cairo with a font,
+#                                             nlohmann-json; tinygltf and, for the page of --html, Node.js, if they can
+#                                             be had
 #   scripts/install_dependencies.sh --tests   also what only the tests need
 #   scripts/install_dependencies.sh --doc     what the manual is made with, and nothing else
 
@@ -10,7 +11,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 packages=(g++ make cmake libcgal-dev libeigen3-dev libboost-dev libboost-program-options-dev libtbb-dev
-  zlib1g-dev libcairo2-dev fonts-dejavu-core)
+  zlib1g-dev nlohmann-json3-dev libcairo2-dev fonts-dejavu-core)
 # Without this glTF is not read; it is small. What reads other formats (libassimp-dev, libhdf5-dev) brings along a lot, and
 # is for whoever needs it.
 optional=(libtinygltf-dev)

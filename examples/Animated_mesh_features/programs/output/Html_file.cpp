@@ -40,9 +40,9 @@ std::string missing_viewer()
 
 namespace {
 
-AMF::IO::Html_options html_options(std::size_t frame_step)
+Programs::Html_options html_options(std::size_t frame_step)
 {
-  AMF::IO::Html_options options;
+  Programs::Html_options options;
   options.frame_step = frame_step;
   return options;
 }
@@ -65,7 +65,7 @@ public:
   void write(const Shown_scene& scene) override
   {
     const std::string_view page(reinterpret_cast<const char*>(viewer_page_bytes), viewer_page_size);
-    AMF::IO::write_html(m_file.stream(), scene, page, html_options(m_frame_step));
+    Programs::write_html(m_file.stream(), scene, page, html_options(m_frame_step));
     m_file.stream().flush();
     m_file.check();
   }
@@ -87,7 +87,7 @@ void check_html(const Command_line& c, std::size_t number_of_vertices, std::size
   check_viewer();
   std::size_t step = 0;
   try {
-    step = AMF::IO::html_frame_step(number_of_vertices, number_of_frames, html_options(c.html_frame_step));
+    step = Programs::html_frame_step(number_of_vertices, number_of_frames, html_options(c.html_frame_step));
   } catch (const AMF::Option_error& e) {
     throw AMF::Option_error("--html: " + std::string(e.what()) +
                             ": --html-every N takes every N-th frame, 1 all of them");

@@ -38,7 +38,7 @@ public:
     : m_folder(path)
   {}
 
-  void write(const Shown_scene& scene) override { AMF::IO::write_vtk(m_folder, scene); }
+  void write(const Shown_scene& scene) override { Programs::write_vtk(m_folder, scene); }
   void commit() override { m_folder.commit(); }
 
 private:
@@ -95,7 +95,7 @@ std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested, 
   case Scene_format::HTML: return open_html_file(requested.path, c.html_frame_step);
   case Scene_format::VTK: return std::make_unique<Vtk_folder>(requested.path);
   case Scene_format::GLB:
-    return single_file(requested.path, [](std::ostream& os, const Shown_scene& scene) { AMF::IO::write_glb(os, scene); });
+    return single_file(requested.path, [](std::ostream& os, const Shown_scene& scene) { Programs::write_glb(os, scene); });
 #ifdef DETECT_FEATURES_WITH_PICTURES
   case Scene_format::PLOT:
     return single_file(requested.path, [format = plot_format(requested.path)](std::ostream& os, const Shown_scene& scene) {

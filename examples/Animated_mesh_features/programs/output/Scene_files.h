@@ -10,14 +10,14 @@
 #include "reading/Animation.h"
 #include "detect_features/Command_line.h"
 
-#include "scenes/Scene.h"
+#include "scenes/Shown_scene.h"
 
 #include <memory>
 #include <vector>
 
 namespace Detect_features {
 
-typedef CGAL::Animated_mesh_features::IO::Scene<Sequence, Feature> Shown_scene;
+using Programs::Shown_scene;
 
 // An output that shows a scene, open since it was made; what it is, is known to Scene_files.cpp only.
 class Scene_file

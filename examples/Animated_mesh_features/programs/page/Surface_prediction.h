@@ -7,15 +7,12 @@
 #ifndef PROGRAMS_PAGE_SURFACE_PREDICTION_H
 #define PROGRAMS_PAGE_SURFACE_PREDICTION_H
 
+#include "scenes/surface_shapes.h"
+
 #include <cstddef>
-#include <cstdint>
-#include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Animated_mesh_features {
-namespace IO {
-namespace internal {
+namespace Programs {
 
 // Turns whole numbers on the vertices of a moving surface into small ones, which compress well.
 //
@@ -26,19 +23,7 @@ namespace internal {
 class Surface_prediction
 {
 public:
-  template <class TriangleRange>
-  Surface_prediction(std::size_t number_of_vertices, const TriangleRange& triangles)
-    : m_parents(number_of_vertices, none)
-  {
-    for (const auto& t : triangles)
-      for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) {
-          const std::size_t v = t[i], w = t[j];
-          if (w < v && (m_parents[v] == none || w > m_parents[v])) m_parents[v] = w;
-        }
-    for (std::size_t v = 1; v < number_of_vertices; ++v)
-      if (m_parents[v] == none) m_parents[v] = v - 1;
-  }
+  Surface_prediction(std::size_t number_of_vertices, const Triangles& triangles);
 
   // Appends what is left of the numbers of a frame after the prediction from the frame before, one for each vertex:
   // modulo 2^bits of `Number` (8 or 16), signs folded so that small ones are small (0, -1, 1, -2, ...).
@@ -57,25 +42,9 @@ public:
   }
 
 private:
-  static constexpr std::size_t none = std::size_t(-1);
   std::vector<std::size_t> m_parents;
 };
 
-// The least significant byte of all numbers, then the next one of all, and so on: the upper bytes of small numbers are
-// a long run of zeros.
-template <class Number>
-std::string byte_planes(const std::vector<Number>& numbers)
-{
-  std::string planes;
-  planes.reserve(numbers.size() * sizeof(Number));
-  for (std::size_t i = 0; i < sizeof(Number); ++i)
-    for (const Number n : numbers) planes += static_cast<char>(static_cast<unsigned char>(n >> (8 * i)));
-  return planes;
-}
-
-} // namespace internal
-} // namespace IO
-} // namespace Animated_mesh_features
-} // namespace CGAL
+} // namespace Programs
 
 #endif // PROGRAMS_PAGE_SURFACE_PREDICTION_H

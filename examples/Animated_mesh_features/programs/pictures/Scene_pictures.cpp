@@ -17,13 +17,11 @@
 #include <cstdint>
 #include <limits>
 
-namespace IO = CGAL::Animated_mesh_features::IO;
-
 namespace Programs {
 
 Scene_pictures::Scene_pictures(const Shown_scene& scene)
   : m_scene(scene)
-  , m_places(IO::internal::relative_taus(scene.features))
+  , m_places(relative_taus(scene.features))
 {
   for (const auto& t : scene.sequence.rest_shape().triangles())
     m_triangles.push_back({{std::uint32_t(t[0]), std::uint32_t(t[1]), std::uint32_t(t[2])}});
@@ -57,12 +55,12 @@ std::vector<Rendering::Sphere> Scene_pictures::spheres(std::size_t frame) const
   std::vector<Rendering::Sphere> result;
   for (std::size_t i = 0; i < m_scene.features.size(); ++i) {
     const Shown_feature& f = m_scene.features[i];
-    if (!IO::lives_in_frame(f, frame, step)) continue;
-    const std::array<double, 3> p = IO::position_in_frame(m_scene.sequence, f, frame);
+    if (!lives_in_frame(f, frame, step)) continue;
+    const std::array<double, 3> p = position_in_frame(m_scene.sequence, f, frame);
     Rendering::Sphere s;
     s.centre = Eigen::Vector3d(p[0], p[1], p[2]);
     s.radius = f.radius();
-    s.opacity = float(IO::opacity_in_frame(f, frame, step));
+    s.opacity = float(opacity_in_frame(f, frame, step));
     s.filling = float((std::min)(1., largest_filled / s.radius));
     s.colour = Rendering::duration_colours()(m_places[i]);
     result.push_back(s);

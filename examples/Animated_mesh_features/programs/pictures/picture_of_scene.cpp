@@ -48,7 +48,7 @@ Rendering::Srgb_image picture_of_scene(const Shown_scene& scene, const Picture_o
 {
   check_picture_options(options);
   check_picture_frames(options, scene.sequence.number_of_frames());
-  AMF::IO::check_scene(scene);
+  check_scene(scene);
   if (scene.sequence.number_of_vertices() == 0) throw AMF::Input_error("there is no surface to be shown");
   const Scene_pictures pictures(scene);
   const std::vector<std::size_t> frames =

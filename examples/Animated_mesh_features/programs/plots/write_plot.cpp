@@ -20,8 +20,6 @@
 #include <string>
 #include <vector>
 
-namespace IO = CGAL::Animated_mesh_features::IO;
-
 namespace Programs {
 
 namespace {
@@ -39,7 +37,7 @@ public:
   Feature_plot(const Shown_scene& scene, Drawing_format format)
     : m_scene(scene)
     , m_features(scene.features)
-    , m_places(IO::internal::relative_taus(scene.features))
+    , m_places(relative_taus(scene.features))
     , m_canvas(format, width, height, scene.title + ": spatio-temporal features over time")
   {
     for (const Shown_feature& f : m_features) {
@@ -178,7 +176,7 @@ private:
 
 void write_plot(std::ostream& os, const Shown_scene& scene, Drawing_format format)
 {
-  IO::check_scene(scene);
+  check_scene(scene);
   const std::string file = Feature_plot(scene, format).file();
   os.write(file.data(), std::streamsize(file.size()));
 }

@@ -7,22 +7,48 @@
 #ifndef PROGRAMS_SCENES_SHOWN_SCENE_H
 #define PROGRAMS_SCENES_SHOWN_SCENE_H
 
-#include "scenes/Scene.h"
-
 #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/Detection/Spatio_temporal_feature.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <string>
+#include <vector>
+
 namespace Programs {
 
-// The scene of the programs: what draws is compiled for it, and for no other.
 typedef CGAL::Animated_mesh_features::Frame_sequence<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>,
                                                      double>
     Shown_sequence;
 typedef CGAL::Animated_mesh_features::Spatio_temporal_feature<Shown_sequence::vertex_descriptor> Shown_feature;
-typedef CGAL::Animated_mesh_features::IO::Scene<Shown_sequence, Shown_feature> Shown_scene;
+typedef CGAL::Animated_mesh_features::Spatio_temporal_field<double> Shown_values; // N x F
+
+// A field to be shown on the surface, under a name: "strain", "curvature", "deformation" or any other.
+struct Scene_field
+{
+  std::string name;                     // what it is called in files and legends
+  const Shown_values* values = nullptr; // not owned
+};
+
+// What is to be seen: a moving surface, its features, and fields on it. All writers of pictures, plots, scenes and pages
+// take one, and are compiled for this one only. It refers to what it shows, which must live as long.
+struct Shown_scene
+{
+  const Shown_sequence& sequence;             // the moving surface
+  const std::vector<Shown_feature>& features; // strongest first
+  std::vector<Scene_field> fields;            // as many as there are, the most interesting one first
+  std::string title;                          // one line, UTF-8
+
+  // the field of that name; null if there is none
+  const Shown_values* field(const std::string& name) const;
+};
+
+// Checks that the parts of a scene belong together: for writers, before they write anything.
+// throws Option_error if a field has not the shape N x F of the sequence; Input_error if a value of a field is not finite,
+// or a feature is on a vertex or in a frame that is not there.
+void check_scene(const Shown_scene& scene);
 
 } // namespace Programs
 

@@ -7,75 +7,33 @@
 #ifndef PROGRAMS_SCENES_FEATURE_IN_FRAME_H
 #define PROGRAMS_SCENES_FEATURE_IN_FRAME_H
 
+#include "scenes/Shown_scene.h"
+
+#include <CGAL/Animated_mesh_features/Detection/Feature_point.h>
+
 #include <array>
-#include <cmath>
 #include <cstddef>
 
-// How a feature is shown in a frame: the same in all files and pictures.
+// How a feature is shown in a frame: the same in all files and pictures. Frames are counted from 0.
 
-namespace CGAL {
-namespace Animated_mesh_features {
-namespace IO {
+namespace Programs {
 
-/// \ingroup PkgAnimatedMeshFeaturesWriting
-/// how long a feature is shown before and after its time, in units of \f$\tau\f$: there, it has faded to 14 %.
+// How long a feature is shown before and after its time, in units of tau: there, it has faded to 14 %.
 constexpr double feature_life = 2;
 
-/*!
-\ingroup PkgAnimatedMeshFeaturesWriting
+// Whether a feature is shown in frame `f`: at most `feature_life` times tau from its time, and in any case in its own
+// frame, so that there is no feature that is never seen.
+bool lives_in_frame(const CGAL::Animated_mesh_features::Feature_point& feature, std::size_t f, double frame_duration);
 
-whether a feature is shown in frame `f`: at most `feature_life` times \f$\tau\f$ from its time, and in any case in its own
-frame, so that there is no feature that is never seen.
+// How much of a feature is seen in frame `f`, from 0 to 1: exp(-(t - t_0)^2 / (2 tau^2)) with the time t of the frame and
+// t_0 of the feature; 0 in frames in which it does not live.
+double opacity_in_frame(const CGAL::Animated_mesh_features::Feature_point& feature, std::size_t f,
+                        double frame_duration);
 
-\param feature a `Spatio_temporal_feature`.
-\param f from 0.
-\param frame_duration seconds.
-*/
-template <class Feature>
-bool lives_in_frame(const Feature& feature, std::size_t f, double frame_duration)
-{
-  return f == feature.frame || std::abs(double(f) * frame_duration - feature.time) <= feature_life * feature.tau;
-}
+// The place of a feature on the surface in frame `f`: it moves with the triangle on which it was found.
+std::array<double, 3> position_in_frame(const Shown_sequence& sequence,
+                                        const CGAL::Animated_mesh_features::Feature_point& feature, std::size_t f);
 
-/*!
-\ingroup PkgAnimatedMeshFeaturesWriting
-
-how much of a feature is seen in frame `f`, from 0 to 1: \f$\exp(-(t - t_0)^2 / (2 \tau^2))\f$ with the time \f$t\f$ of the
-frame and \f$t_0\f$ of the feature; 0 in frames in which it does not live.
-*/
-template <class Feature>
-double opacity_in_frame(const Feature& feature, std::size_t f, double frame_duration)
-{
-  if (!lives_in_frame(feature, f, frame_duration)) return 0;
-  if (!(feature.tau > 0)) return 1; // then it lives in one frame only
-  const double distance = (double(f) * frame_duration - feature.time) / feature.tau;
-  return std::exp(-distance * distance / 2);
-}
-
-/*!
-\ingroup PkgAnimatedMeshFeaturesWriting
-
-the place of a feature on the surface in frame `f`: it moves with the triangle on which it was found.
-
-\tparam Sequence a `Frame_sequence`
-*/
-template <class Sequence, class Feature>
-std::array<double, 3> position_in_frame(const Sequence& sequence, const Feature& feature, std::size_t f)
-{
-  const auto& animation = sequence.trajectories();
-  std::array<double, 3> position = {{0, 0, 0}};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t v = feature.triangle[i];
-    const double b = feature.barycentric_coordinates[i];
-    position[0] += b * double(animation.x(v, f));
-    position[1] += b * double(animation.y(v, f));
-    position[2] += b * double(animation.z(v, f));
-  }
-  return position;
-}
-
-} // namespace IO
-} // namespace Animated_mesh_features
-} // namespace CGAL
+} // namespace Programs
 
 #endif // PROGRAMS_SCENES_FEATURE_IN_FRAME_H

@@ -4,21 +4,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef PROGRAMS_PAGE_BASE64_H
-#define PROGRAMS_PAGE_BASE64_H
+#include "page/write_base64.h"
 
 #include <cstddef>
-#include <ostream>
-#include <string>
-#include <string_view>
 
-namespace CGAL {
-namespace Animated_mesh_features {
-namespace IO {
-namespace internal {
+namespace Programs {
 
-// Bytes as text, four characters for three of them (RFC 4648, with padding, in a single line).
-inline void write_base64(std::ostream& os, std::string_view bytes)
+void write_base64(std::ostream& os, const std::string& bytes)
 {
   const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   const auto byte = [&](std::size_t i) {
@@ -41,9 +33,4 @@ inline void write_base64(std::ostream& os, std::string_view bytes)
   os.write(text.data(), static_cast<std::streamsize>(text.size()));
 }
 
-} // namespace internal
-} // namespace IO
-} // namespace Animated_mesh_features
-} // namespace CGAL
-
-#endif // PROGRAMS_PAGE_BASE64_H
+} // namespace Programs

@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "page/Html_scene.h"
+
+#include "page/deflated.h"
+#include "page/write_base64.h"
+#include "rendering/Palette.h"
+
+#include <CGAL/Animated_mesh_features/IO/write_json.h>
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <utility>
+
+typedef nlohmann::ordered_json Json;
+
+namespace Programs {
+
+namespace {
+
+std::vector<std::size_t> kept_frames(std::size_t number_of_frames, std::size_t step)
+{
+  std::vector<std::size_t> frames;
+  for (std::size_t f = 0; f < number_of_frames; f += step) frames.push_back(f);
+  if (number_of_frames > 0 && frames.back() + 1 != number_of_frames) frames.push_back(number_of_frames - 1);
+  return frames;
+}
+
+// The least significant byte of all numbers, then the next one of all, and so on: the upper bytes of small numbers are
+// a long run of zeros.
+template <class Number>
+std::string byte_planes(const std::vector<Number>& numbers)
+{
+  std::string planes;
+  planes.reserve(numbers.size() * sizeof(Number));
+  for (std::size_t i = 0; i < sizeof(Number); ++i)
+    for (const Number n : numbers) planes += static_cast<char>(static_cast<unsigned char>(n >> (8 * i)));
+  return planes;
+}
+
+// Colours of a map from 0 to 1: so many that it is straight between them, to within rounding.
+std::vector<std::string> samples(const Rendering::Colour_map& map)
+{
+  const std::size_t n = 129;
+  std::vector<std::string> result;
+  for (std::size_t i = 0; i < n; ++i)
+    result.push_back(Rendering::hexadecimal(Rendering::encoded(map(double(i) / double(n - 1)))));
+  return result;
+}
+
+void write_description(std::ostream& os, const Json& description)
+{
+  os << "<script type=\"application/json\" id=\"scene\">\n";
+  // A script ends at "</script" even within quotes. In JSON, "<" can occur within quotes only.
+  for (const char c : description.dump(-1, ' ', false, Json::error_handler_t::replace)) {
+    if (c == '<')
+      os << "\\u003c";
+    else
+      os << c;
+  }
+  os << "\n</script>\n";
+}
+
+void write_bytes(std::ostream& os, const std::string& id, const std::string& bytes)
+{
+  os << "<script type=\"text/plain\" id=\"" << id << "\">";
+  write_base64(os, deflated(bytes));
+  os << "</script>\n";
+}
+
+} // namespace
+
+Html_scene::Html_scene(const Shown_scene& scene, std::size_t frame_step)
+  : m_scene(scene)
+  , m_frames(kept_frames(scene.sequence.number_of_frames(), frame_step))
+  , m_positions(scene.sequence.trajectories())
+  , m_prediction(scene.sequence.number_of_vertices(), scene.sequence.rest_shape().triangles())
+{
+  for (const Scene_field& f : scene.fields) m_fields.emplace_back(*f.values, m_frames);
+}
+
+double Html_scene::largest_error() const
+{
+  const double diagonal = m_scene.sequence.rest_shape().bounding_box_diagonal();
+  return diagonal > 0 ? m_positions.largest_error() / diagonal : 0;
+}
+
+void Html_scene::write(std::ostream& os) const
+{
+  write_description(os, description());
+  write_bytes(os, "scene-faces", faces());
+  write_bytes(os, "scene-positions", positions());
+  for (std::size_t i = 0; i < m_fields.size(); ++i)
+    write_bytes(os, "scene-field-" + std::to_string(i), byte_planes(residuals(m_fields[i])));
+}
+
+Json Html_scene::description() const
+{
+  const Shown_sequence& sequence = m_scene.sequence;
+  Json fields = Json::array();
+  for (std::size_t i = 0; i < m_fields.size(); ++i)
+    fields.push_back({{"name", m_scene.fields[i].name},
+                      {"min", m_fields[i].min()},
+                      {"max", m_fields[i].max()},
+                      {"largest", m_fields[i].largest()}});
+  return {{"format", "animated-mesh-features-scene"},
+          {"version", 1},
+          {"title", m_scene.title},
+          {"vertices", sequence.number_of_vertices()},
+          {"faces", sequence.rest_shape().triangles().size()},
+          {"frames", sequence.number_of_frames()},
+          {"frame_duration", sequence.frame_duration()},
+          {"bounding_box_diagonal", sequence.rest_shape().bounding_box_diagonal()},
+          {"largest_error", largest_error()},
+          {"kept_frames", m_frames},
+          {"origin", m_positions.origin()},
+          {"step", m_positions.step()},
+          {"corners", corners()},
+          {"fields", std::move(fields)},
+          {"colours",
+           {{"field", samples(Rendering::field_colours())}, {"duration", samples(Rendering::duration_colours())}}},
+          {"features", m_scene.features}};
+}
+
+Json Html_scene::corners() const
+{
+  Json result = Json::array();
+  for (const std::size_t f : m_frames)
+    result.push_back(
+        std::array<std::int64_t, 3>{{m_positions.corner(0, f), m_positions.corner(1, f), m_positions.corner(2, f)}});
+  return result;
+}
+
+// Each corner as the difference from the one before, signs folded.
+std::string Html_scene::faces() const
+{
+  std::vector<std::uint32_t> residuals;
+  std::uint32_t last = 0;
+  for (const auto& t : m_scene.sequence.rest_shape().triangles())
+    for (const std::uint32_t v : t) {
+      const std::uint32_t difference = v - last;
+      residuals.push_back((difference << 1) ^ (difference >> 31 ? ~std::uint32_t(0) : 0));
+      last = v;
+    }
+  return byte_planes(residuals);
+}
+
+std::string Html_scene::positions() const
+{
+  std::vector<std::uint16_t> residuals, now;
+  residuals.reserve(3 * m_scene.sequence.number_of_vertices() * m_frames.size());
+  std::array<std::vector<std::uint16_t>, 3> before;
+  before.fill(std::vector<std::uint16_t>(m_scene.sequence.number_of_vertices()));
+  for (const std::size_t f : m_frames)
+    for (std::size_t c = 0; c < 3; ++c) {
+      m_positions.get_frame(c, f, now);
+      m_prediction.append_residuals(residuals, before[c], now);
+      before[c].swap(now);
+    }
+  return byte_planes(residuals);
+}
+
+std::vector<std::uint8_t> Html_scene::residuals(const Quantized_field& field) const
+{
+  std::vector<std::uint8_t> residuals, now, before(m_scene.sequence.number_of_vertices());
+  residuals.reserve(before.size() * m_frames.size());
+  for (const std::size_t f : m_frames) {
+    field.get_frame(f, now);
+    m_prediction.append_residuals(residuals, before, now);
+    before.swap(now);
+  }
+  return residuals;
+}
+
+} // namespace Programs

@@ -1,0 +1,53 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROGRAMS_PAGE_HTML_SCENE_H
+#define PROGRAMS_PAGE_HTML_SCENE_H
+
+#include "page/Quantized_field.h"
+#include "page/Quantized_positions.h"
+#include "page/Surface_prediction.h"
+#include "scenes/Shown_scene.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace Programs {
+
+// The scripts of a page that hold a scene: a description in JSON, and numbers. What is in them is told at write_html().
+class Html_scene
+{
+public:
+  // Keeps every `frame_step`-th frame, and the last one.
+  Html_scene(const Shown_scene& scene, std::size_t frame_step);
+
+  // in bounding-box diagonals of the rest shape
+  double largest_error() const;
+
+  void write(std::ostream& os) const;
+
+private:
+  nlohmann::ordered_json description() const;
+  nlohmann::ordered_json corners() const;
+  std::string faces() const;
+  std::string positions() const;
+  std::vector<std::uint8_t> residuals(const Quantized_field& field) const;
+
+  const Shown_scene& m_scene;
+  std::vector<std::size_t> m_frames; // that are kept
+  Quantized_positions m_positions;
+  Surface_prediction m_prediction;
+  std::vector<Quantized_field> m_fields;
+};
+
+} // namespace Programs
+
+#endif // PROGRAMS_PAGE_HTML_SCENE_H
