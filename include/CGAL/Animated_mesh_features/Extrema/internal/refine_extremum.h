@@ -9,9 +9,9 @@
 
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Extremum.h>
-
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
+#include <CGAL/Animated_mesh_features/Numerics/Least_squares.h>
+#include <CGAL/Animated_mesh_features/Numerics/Small_cholesky.h>
+#include <CGAL/Animated_mesh_features/Numerics/all_finite.h>
 
 #include <algorithm>
 #include <array>
@@ -37,22 +37,30 @@ inline Refined_scales refine_scales(const Extremum& e)
 {
   const auto d = [&](int i, int j, int m) { return e.window[i + 1][j + 1][m + 1]; };
   const double centre = d(0, 0, 0);
-  const Eigen::Vector3d gradient((d(1, 0, 0) - d(-1, 0, 0)) / 2, (d(0, 1, 0) - d(0, -1, 0)) / 2,
-                                 (d(0, 0, 1) - d(0, 0, -1)) / 2);
-  Eigen::Matrix3d hessian;
-  hessian(0, 0) = d(1, 0, 0) + d(-1, 0, 0) - 2 * centre;
-  hessian(1, 1) = d(0, 1, 0) + d(0, -1, 0) - 2 * centre;
-  hessian(2, 2) = d(0, 0, 1) + d(0, 0, -1) - 2 * centre;
-  hessian(0, 1) = hessian(1, 0) = (d(1, 1, 0) - d(1, -1, 0) - d(-1, 1, 0) + d(-1, -1, 0)) / 4;
-  hessian(0, 2) = hessian(2, 0) = (d(1, 0, 1) - d(1, 0, -1) - d(-1, 0, 1) + d(-1, 0, -1)) / 4;
-  hessian(1, 2) = hessian(2, 1) = (d(0, 1, 1) - d(0, 1, -1) - d(0, -1, 1) + d(0, -1, -1)) / 4;
-  Eigen::Vector3d offset = Eigen::Vector3d::Zero();
-  const Eigen::LLT<Eigen::Matrix3d> definite(hessian);
-  if (definite.info() == Eigen::Success) offset = -definite.solve(gradient);
-  if (definite.info() != Eigen::Success || !(offset.cwiseAbs().maxCoeff() <= 0.5))
-    for (int i = 0; i < 3; ++i)
-      offset[i] = hessian(i, i) != 0 ? std::max(-0.5, std::min(0.5, -gradient[i] / hessian(i, i))) : 0;
-  return {offset[0], offset[1], offset[2], centre + gradient.dot(offset) / 2};
+  const std::array<double, 3> gradient = {
+      {(d(1, 0, 0) - d(-1, 0, 0)) / 2, (d(0, 1, 0) - d(0, -1, 0)) / 2, (d(0, 0, 1) - d(0, 0, -1)) / 2}};
+  Small_cholesky<3>::Matrix hessian; // up to its diagonal
+  hessian[0][0] = d(1, 0, 0) + d(-1, 0, 0) - 2 * centre;
+  hessian[1][1] = d(0, 1, 0) + d(0, -1, 0) - 2 * centre;
+  hessian[2][2] = d(0, 0, 1) + d(0, 0, -1) - 2 * centre;
+  hessian[1][0] = (d(1, 1, 0) - d(1, -1, 0) - d(-1, 1, 0) + d(-1, -1, 0)) / 4;
+  hessian[2][0] = (d(1, 0, 1) - d(1, 0, -1) - d(-1, 0, 1) + d(-1, 0, -1)) / 4;
+  hessian[2][1] = (d(0, 1, 1) - d(0, 1, -1) - d(0, -1, 1) + d(0, -1, -1)) / 4;
+  std::array<double, 3> offset = {{0, 0, 0}};
+  const Small_cholesky<3> factor(hessian);
+  bool is_close = factor.is_definite();
+  if (is_close) {
+    const std::array<double, 3> uphill = factor.solve(gradient);
+    for (std::size_t i = 0; i < 3; ++i) {
+      offset[i] = -uphill[i];
+      is_close = is_close && std::abs(offset[i]) <= 0.5;
+    }
+  }
+  if (!is_close)
+    for (std::size_t i = 0; i < 3; ++i)
+      offset[i] = hessian[i][i] != 0 ? std::max(-0.5, std::min(0.5, -gradient[i] / hessian[i][i])) : 0;
+  const double slope = gradient[0] * offset[0] + gradient[1] * offset[1] + gradient[2] * offset[2];
+  return {offset[0], offset[1], offset[2], centre + slope / 2};
 }
 
 // The value at position `offset` between samples of a scale at three levels, quadratic in the logarithm.
@@ -101,39 +109,40 @@ inline Refined_place refine_place(const Rest_shape& shape, const Extremum& e)
   if (!(normal.norm() > 0)) return place;
   normal.normalize();
   const Rest_shape::Point axis_1 = normal.unitOrthogonal(), axis_2 = normal.cross(axis_1);
-  const auto flat = [&](std::size_t w) -> Eigen::Vector2d {
+  const auto flat = [&](std::size_t w) -> std::array<double, 2> {
     const Rest_shape::Point p = shape.points()[w] - origin;
-    const Eigen::Vector2d q(p.dot(axis_1), p.dot(axis_2));
-    const double norm = q.norm();
-    return norm > 0 ? Eigen::Vector2d(q * (p.norm() / norm)) : q;
+    const double x = p.dot(axis_1), y = p.dot(axis_2), norm = std::sqrt(x * x + y * y);
+    const double scale = norm > 0 ? p.norm() / norm : 1;
+    return {{x * scale, y * scale}};
   };
-  Eigen::Matrix<double, Eigen::Dynamic, 5> a(Eigen::Index(ring.size()), 5);
-  Eigen::VectorXd b(a.rows());
-  for (Eigen::Index i = 0; i < a.rows(); ++i) {
-    const Eigen::Vector2d q = flat(ring[i]);
+  Least_squares<5> equations(ring.size());
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const std::array<double, 2> q = flat(ring[i]);
     // each equation over its squared distance, by which the error of the quadratic grows
-    const double weight = 1 / (std::max)(q.squaredNorm(), 1e-300);
-    a.row(i) << q[0] * weight, q[1] * weight, q[0] * q[0] / 2 * weight, q[0] * q[1] * weight, q[1] * q[1] / 2 * weight;
-    b[i] = (e.ring[std::size_t(i)] - e.response()) * weight;
+    const double weight = 1 / (std::max)(q[0] * q[0] + q[1] * q[1], 1e-300);
+    equations.set(
+        i, {{q[0] * weight, q[1] * weight, q[0] * q[0] / 2 * weight, q[0] * q[1] * weight, q[1] * q[1] / 2 * weight}},
+        (e.ring[i] - e.response()) * weight);
   }
-  const Eigen::Matrix<double, 5, 1> x = a.colPivHouseholderQr().solve(b);
-  Eigen::Matrix2d hessian;
-  hessian << x[2], x[3], x[3], x[4];
-  const Eigen::LLT<Eigen::Matrix2d> definite(hessian);
-  if (!x.allFinite() || definite.info() != Eigen::Success) return place;
-  const Eigen::Vector2d minimum = -definite.solve(Eigen::Vector2d(x[0], x[1]));
+  const std::array<double, 5> x = equations.solve();
+  const Small_cholesky<2> hessian({{{{x[2], x[3]}}, {{x[3], x[4]}}}});
+  if (!all_finite(x.data(), x.size()) || !hessian.is_definite()) return place;
+  const std::array<double, 2> uphill = hessian.solve({{x[0], x[1]}}), minimum = {{-uphill[0], -uphill[1]}};
   for (Rest_shape::Index t : shape.incident_triangles()[v]) {
     const Rest_shape::Triangle& c = shape.triangles()[t];
     const int i = int(std::find(c.begin(), c.end(), Rest_shape::Index(v)) - c.begin());
     const std::size_t p = c[(i + 1) % 3], q = c[(i + 2) % 3];
-    Eigen::Matrix2d edges;
-    edges << flat(p), flat(q);
-    if (!(std::abs(edges.determinant()) > 0)) continue;
-    Eigen::Vector2d s = edges.inverse() * minimum;
+    const std::array<double, 2> to_p = flat(p), to_q = flat(q);
+    const double area = to_p[0] * to_q[1] - to_p[1] * to_q[0]; // twice
+    if (!(std::abs(area) > 0)) continue;
+    const double inverse = 1 / area;
+    std::array<double, 2> s = {{to_q[1] * inverse * minimum[0] + -to_q[0] * inverse * minimum[1],
+                                -to_p[1] * inverse * minimum[0] + to_p[0] * inverse * minimum[1]}};
     if (!(s[0] >= 0 && s[1] >= 0)) continue;
     // The vertex is the smallest sample: the minimum is nearer to it than to its neighbours.
     const double sum = s[0] + s[1];
-    if (sum > 0.5) s *= 0.5 / sum;
+    if (sum > 0.5)
+      for (double& weight : s) weight *= 0.5 / sum;
     place.triangle = {{v, p, q}};
     place.barycentric = {{1 - s[0] - s[1], s[0], s[1]}};
     break;
