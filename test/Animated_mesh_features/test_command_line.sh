@@ -204,7 +204,8 @@ expect 2 "detect_features finds where, when, how large and how long"
 [[ $(wc -l <err) -le 12 && $(wc -L <err) -le 120 ]] || fail "the short usage is long"
 grep -qF "detect_features --help" err || fail "the short usage does not name --help"
 cp err short_usage
-for part in "glTF|x.glb" "FBX|x.fbx" "HDF5|x.h5" "--html|c.obj c.pc2 --html x.html" "--png|c.obj c.pc2 --png x.png --png-size 100x100"; do
+for part in "glTF|x.glb" "FBX|x.fbx" "HDF5|x.h5" "--html|c.obj c.pc2 --html x.html" "--png|c.obj c.pc2 --png x.png --png-size 100x100" \
+  "--plot|c.obj c.pc2 --plot x.svg"; do
   IFS='|' read -r name arguments <<<"$part"
   echo text | tee x.glb x.fbx >x.h5
   # shellcheck disable=SC2086
@@ -617,7 +618,10 @@ output "file: cannot write" c.obj c.pc2 -o x.json --vtk file
 output "nowhere/s.npy: cannot write" c.obj c.pc2 -o x.json --write-field strain:nowhere/s.npy
 if [[ -c /dev/full ]]; then
   for format in json csv ply; do output "/dev/full: cannot write" c.obj c.pc2 -o $format:/dev/full; done
-  for scene in glb plot; do output "/dev/full: cannot write" c.obj c.pc2 -o x.json --$scene /dev/full; done
+  output "/dev/full: cannot write" c.obj c.pc2 -o x.json --glb /dev/full
+  ln -s /dev/full full.svg # plots go by the ending
+  output "full.svg: cannot write" c.obj c.pc2 -o x.json --plot full.svg
+  rm full.svg
   output "/dev/full: cannot write" c.obj c.pc2 -o x.json --write-field deformation:/dev/full
   "$program" c.obj c.pc2 >/dev/full 2>err
   [[ $? -eq 4 ]] || fail "a full disk behind the standard output"

@@ -17,17 +17,21 @@ Rendering::Srgb8 ink_on(const Rendering::Colour& background)
 }
 
 void draw_legend(Canvas& canvas, const std::vector<Legend_bar>& bars, double width, double top, double height,
-                 const Text_style& style)
+                 Text_style style)
 {
-  const double capitals = capital_height * style.size;
-  const double gap = 0.9 * capitals, between = 4 * capitals, bar_height = 1.1 * capitals;
-  double text = 0;
-  for (const Legend_bar& b : bars)
-    for (const std::string* t : {&b.name, &b.low, &b.high}) text += canvas.text_width(*t, style);
   const double n = double(bars.size());
-  text += n * 3.6 * gap;
+  const auto text_width = [&] {
+    double result = n * 3.6 * 0.9 * capital_height * style.size; // the gaps
+    for (const Legend_bar& b : bars)
+      for (const std::string* t : {&b.name, &b.low, &b.high}) result += canvas.text_width(*t, style);
+    return result;
+  };
+  const double most = 0.94 * width, least = text_width() + (n * 2 + (n - 1) * 4) * capital_height * style.size;
+  if (least > most) style.size *= most / least;
+  const double capitals = capital_height * style.size;
+  const double gap = 0.9 * capitals, between = 4 * capitals, bar_height = 1.1 * capitals, text = text_width();
   const double length =
-      (std::max)(2 * capitals, (std::min)(0.22 * width, (0.94 * width - text - (n - 1) * between) / (std::max)(1., n)));
+      (std::max)(2 * capitals, (std::min)(0.22 * width, (most - text - (n - 1) * between) / (std::max)(1., n)));
   double x = (width - text - n * length - (n - 1) * between) / 2;
   const double base = top + (height + capitals) / 2; // of the text
   const auto write = [&](const std::string& t, double following_gap) {

@@ -28,9 +28,10 @@ struct Legend_bar
 Rendering::Srgb8 ink_on(const Rendering::Colour& background);
 
 // Draws bars with their names and numbers, from left to right, centred in a strip of a canvas: `height` from `top` of
-// the `width` that the canvas has. See `ink_on()` for the colour of the text.
+// the `width` that the canvas has. See `ink_on()` for the colour of the text; it becomes
+// smaller if there is not enough room.
 void draw_legend(Canvas& canvas, const std::vector<Legend_bar>& bars, double width, double top, double height,
-                 const Text_style& style);
+                 Text_style style);
 
 } // namespace Programs
 

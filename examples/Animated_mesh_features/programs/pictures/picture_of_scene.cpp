@@ -96,8 +96,12 @@ Rendering::Srgb_image picture_of_scene(const Shown_scene& scene, const Picture_o
   Text_style style;
   style.size = text / capital_height;
   style.colour = ink_on(set.background);
-  for (std::size_t i = 0; i < panels.size(); ++i)
-    canvas.text(double(panels[i].left) + text, double(panels[i].top) + 2 * text, pictures.label(frames[i]), style);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const std::string label = pictures.label(frames[i]);
+    Text_style fitting = style;
+    fitting.size *= (std::min)(1., (double(panels[i].width) - 2 * text) / canvas.text_width(label, style));
+    if (fitting.size > 0) canvas.text(double(panels[i].left) + text, double(panels[i].top) + 2 * text, label, fitting);
+  }
   draw_legend(canvas, pictures.legend(), double(options.width), double(legend_top), legend_height, style);
   return canvas.image();
 }
