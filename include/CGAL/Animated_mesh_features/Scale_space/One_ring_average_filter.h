@@ -130,12 +130,12 @@ private:
       }
     }
 
-    template <class L>
+    template <class P>
     CGAL_ANIMATED_MESH_FEATURES_INLINE void average(std::size_t v, std::size_t f)
     {
       const Compressed_rows::Row ring = shape.neighbours()[v];
-      L sum = L::load(in.row(v) + f);
-      for (Rest_shape::Index w : ring) sum = sum + L::load(in.row(w) + f);
+      P sum = P::load(in.row(v) + f);
+      for (Rest_shape::Index w : ring) sum = sum + P::load(in.row(w) + f);
       (sum * (FT(1) / FT(ring.size() + 1))).store(out.row(v) + f);
     }
   };

@@ -237,7 +237,7 @@ private:
     return all;
   }
 
-  // Time levels in windows for which there are weights.
+  // Keeps the candidates that are extrema; time levels come in windows, as there are weights for one window at a time.
   template <class Loop>
   void verify(const Level_batch& batch, const Level_weights& weights, std::vector<Candidate>& candidates,
               const Loop& loop, Temporal_weights<TemporalFilter>& temporal_weights, std::vector<Extremum>& extrema) const
