@@ -4,11 +4,12 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Results in files: JSON that a parser gives back, tables, point clouds, arrays; in any locale.
+// Results in files: JSON that a parser gives back and that is read back, tables, point clouds, arrays; in any locale.
 
 #include "test_io_support.h"
 
 #include <CGAL/Animated_mesh_features/IO/Result_description.h>
+#include <CGAL/Animated_mesh_features/IO/read_json.h>
 #include <CGAL/Animated_mesh_features/IO/write_csv.h>
 #include <CGAL/Animated_mesh_features/IO/write_json.h>
 #include <CGAL/Animated_mesh_features/IO/write_npy.h>
@@ -20,11 +21,17 @@
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <list>
+#include <random>
 #include <sstream>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 using namespace CGAL::Animated_mesh_features;
@@ -123,11 +130,11 @@ void test_json()
 
   const ptree& p = tree.get_child("parameters");
   CHECK(joined(p) == "preset=calibrated file=a \"b\" \\ /\n\t\x01\x1f \xc3\xa4\xe2\x82\xac\xf0\x9f\x90\xb4.obj "
-                     "latin-1=caf\xef\xbf\xbd! count=1000000 negative=-5 threshold=0.2 single=0.5 whole=3 yes=true "
+                     "latin-1=caf\xef\xbf\xbd! count=1000000 negative=-5 threshold=0.2 single=0.5 whole=3.0 yes=true "
                      "no=false none=null infinite=null range= inputs= empty= ");
   CHECK(joined(p.get_child("range")) == "=0.012 =0.15 ");
   CHECK(joined(p.get_child("inputs")) == "=x,y = ");
-  CHECK(text.find("\"yes\": true") != std::string::npos); // not a string
+  CHECK(text.find("\"yes\": true,") != std::string::npos); // not a string
   CHECK(text.find("\"preset\": \"calibrated\"") != std::string::npos);
   CHECK(text.find("\"none\": null") != std::string::npos);
   CHECK(text.find("\"count\": 1000000,") != std::string::npos);
@@ -140,7 +147,7 @@ void test_json()
                      "response=-0.31 strength=0.31 rest_position= triangle= barycentric_coordinates= "
                      "at_scale_limit=true ");
   CHECK(joined(a.get_child("position")) == "=-1.5 =1234.5 =1e-20 ");
-  CHECK(joined(a.get_child("rest_position")) == "=2 =3 =0.3333333333333333 ");
+  CHECK(joined(a.get_child("rest_position")) == "=2.0 =3.0 =0.3333333333333333 ");
   CHECK(joined(a.get_child("triangle")) == "=1234567 =1300000 =20 ");
   CHECK(joined(a.get_child("barycentric_coordinates")) == "=0.5 =0.25 =0.25 ");
   CHECK(f.back().second.get<std::string>("strength") == "0.125");
@@ -148,14 +155,278 @@ void test_json()
   const ptree empty = parsed(json({}, IO::Result_description()));
   CHECK(empty.count("features") == 1 && empty.get_child("features").empty());
 
-  // Bytes that are no UTF-8 in ways that decoders have fallen for: overlong, half a surrogate pair, cut off, too large.
-  for (const char* bad : {"\xc0\xaf", "\xe0\x80\xaf", "\xed\xa0\x80", "\xe2\x82", "\xf4\x90\x80\x80", "\x80", "\xf8"}) {
+  // Bytes that are no UTF-8 in ways that decoders have fallen for: overlong, half a surrogate pair, cut off, too large. A
+  // sequence that is only cut off is one wrong character, of others each byte.
+  const std::vector<std::pair<std::string, std::size_t>> bad_bytes = {
+      {"\xc0\xaf", 2},         {"\xe0\x80\xaf", 3}, {"\xed\xa0\x80", 3}, {"\xe2\x82", 1},
+      {"\xf4\x90\x80\x80", 4}, {"\x80", 1},         {"\xf8", 1}};
+  for (const auto& bad : bad_bytes) {
     IO::Result_description names;
-    names.add("name", bad);
+    names.add("name", bad.first);
     std::string expected;
-    for (const char* c = bad; *c != '\0'; ++c) expected += "\xef\xbf\xbd";
+    for (std::size_t i = 0; i < bad.second; ++i) expected += "\xef\xbf\xbd";
     CHECK(parsed(json({}, names)).get<std::string>("parameters.name") == expected);
   }
+}
+
+// ----------------------------------------------------------------------------------------------------- reading JSON
+
+IO::Feature_file_data read_text(const std::string& text)
+{
+  std::istringstream is(text); // has the hostile locale
+  return IO::read_json(is, "x.json");
+}
+
+std::string written(const IO::Feature_file_data& data)
+{
+  std::ostringstream os;
+  IO::write_json(os, data);
+  return os.str();
+}
+
+// Of numbers, zeros with their signs.
+bool same_bits(double a, double b)
+{
+  return std::memcmp(&a, &b, sizeof(double)) == 0;
+}
+
+template <std::size_t n>
+bool same_bits(const std::array<double, n>& a, const std::array<double, n>& b)
+{
+  return std::memcmp(a.data(), b.data(), sizeof(a)) == 0;
+}
+
+void check_same(const Feature_point& a, const Feature_point& b)
+{
+  CHECK(a.vertex_index == b.vertex_index && a.frame == b.frame && a.triangle == b.triangle);
+  CHECK(same_bits(a.time, b.time) && same_bits(a.position, b.position) && same_bits(a.rest_position, b.rest_position));
+  CHECK(same_bits(a.sigma, b.sigma) && same_bits(a.tau, b.tau) && same_bits(a.response, b.response));
+  CHECK(same_bits(a.barycentric_coordinates, b.barycentric_coordinates) && a.at_scale_limit == b.at_scale_limit);
+}
+
+// Any finite number there is, as likely as another.
+template <class Random>
+double any_number(Random& random)
+{
+  double x = std::numeric_limits<double>::quiet_NaN();
+  while (!std::isfinite(x)) {
+    const std::uint64_t bits = random();
+    std::memcpy(&x, &bits, sizeof(x));
+  }
+  return x;
+}
+
+IO::Result_description some_animation()
+{
+  IO::Result_description d;
+  d.vertices = 2000000;
+  d.faces = 4000000;
+  d.frames = 2000;
+  d.frame_duration = 0.1;
+  d.bounding_box_diagonal = 2.54;
+  d.mean_edge_length = 1e-7;
+  return d;
+}
+
+void test_json_read_back()
+{
+  std::mt19937_64 random(1);
+  std::vector<Feature_point> many;
+  for (std::size_t i = 0; i < 500; ++i) {
+    Feature_point f;
+    f.vertex_index = random() % 2000000;
+    f.frame = random() % 2000;
+    for (std::size_t& v : f.triangle) v = random() % 2000000;
+    for (double* x : {&f.time, &f.sigma, &f.tau, &f.response}) *x = any_number(random);
+    for (auto* p : {&f.position, &f.rest_position, &f.barycentric_coordinates})
+      for (double& x : *p) x = any_number(random);
+    f.at_scale_limit = i % 2 == 0;
+    many.push_back(f);
+  }
+  many[0].time = 12.3;
+  many[1].position = {{-0., 0, 5e-324}};
+  many[2].sigma = (std::numeric_limits<double>::max)();
+
+  IO::Result_description d = some_animation();
+  d.add("z", "text \"\\\n\xc3\xa4");
+  d.add("a", true);
+  d.add("none", IO::Result_description::Value());
+  d.add("whole", -5);
+  d.add("largest", (std::numeric_limits<std::int64_t>::max)());
+  d.add("real", 3.);
+  d.add("infinite", std::numeric_limits<double>::infinity());
+  d.add("numbers", std::vector<double>{1, 0.1, -std::numeric_limits<double>::infinity()});
+  d.add("texts", std::vector<std::string>{"", "b"});
+  d.add("nothing", std::vector<std::string>());
+  std::ostringstream os;
+  IO::write_json(os, many, d);
+  const std::string text = os.str();
+  const IO::Feature_file_data data = read_text(text);
+
+  const IO::Result_description& e = data.description;
+  CHECK(e.vertices == d.vertices && e.faces == d.faces && e.frames == d.frames);
+  CHECK(same_bits(e.frame_duration, d.frame_duration) && same_bits(e.mean_edge_length, d.mean_edge_length));
+  CHECK(same_bits(e.bounding_box_diagonal, d.bounding_box_diagonal) && e.origins.empty() && e.origins.parts.empty());
+  CHECK(data.file_vertices.empty());
+  CHECK(e.parameters.size() == d.parameters.size());
+  for (std::size_t i = 0; i < 6; ++i) CHECK(e.parameters[i] == d.parameters[i]); // and their types
+  CHECK(e.parameters[6].second == IO::Result_description::Value());
+  const std::vector<double> numbers = std::get<std::vector<double>>(e.parameters[7].second);
+  CHECK(numbers.size() == 3 && numbers[0] == 1 && numbers[1] == 0.1 && std::isnan(numbers[2]));
+  CHECK(e.parameters[8] == d.parameters[8]);
+  CHECK(std::get<std::vector<double>>(e.parameters[9].second).empty());
+
+  CHECK(data.features.size() == many.size());
+  for (std::size_t i = 0; i < many.size(); ++i) check_same(data.features[i], many[i]);
+  CHECK_NEAR(data.features[0].refined_frame, 123, 1e-12);
+  CHECK(written(data) == text);
+
+  // the same from a file
+  const Temporary_folder folder;
+  CHECK(written(IO::read_json(folder.write("f.json", text))) == text);
+  CHECK_THROWS(Input_error, IO::read_json(folder.path("none.json")), "none.json: cannot read");
+  CHECK_THROWS(Input_error, IO::read_json(folder.path()), folder.path() + ": cannot read");
+  std::istringstream broken(text);
+  broken.setstate(std::ios::badbit);
+  CHECK_THROWS(Input_error, IO::read_json(broken, "x.json"), "x.json: cannot read");
+
+  // without features, and without anything
+  CHECK(written(read_text(json({}, d))) == json({}, d));
+  CHECK(written(read_text(json({}, IO::Result_description()))) == json({}, IO::Result_description()));
+}
+
+// Vertices that are made of several of the file.
+void test_json_origins()
+{
+  IO::Result_description d = some_animation();
+  d.vertices = 3;
+  d.origins.parts = {{"node \"0\"", 0, 4}, {"", 4, 2}};
+  d.origins.first = {0, 2, 3, 5};
+  d.origins.file_vertices = {0, 5, 1, 2, 4};
+  std::list<Feature> two = features();
+  two.front().vertex_index = 2;
+  two.front().triangle = {{2, 1, 0}};
+  const std::string text = json(two, d);
+  const IO::Feature_file_data data = read_text(text);
+  CHECK(data.description.origins.parts.size() == 2);
+  CHECK(data.description.origins.parts[0].name == "node \"0\"" && data.description.origins.parts[1].first_vertex == 4);
+  CHECK(data.file_vertices == (std::vector<std::vector<std::size_t>>{{2, 4}, {0, 5}}));
+  CHECK(written(data) == text);
+  CHECK(written(read_text(json({}, d))) == json({}, d));
+
+  // a selection of features
+  IO::Feature_file_data last = data;
+  last.features.erase(last.features.begin());
+  last.file_vertices.erase(last.file_vertices.begin());
+  CHECK(read_text(written(last)).file_vertices == last.file_vertices);
+
+  const auto replaced = [&](const std::string& part, const std::string& by) {
+    std::string changed = text;
+    changed.replace(changed.find(part), part.size(), by);
+    return changed;
+  };
+  CHECK_THROWS(Input_error, read_text(replaced("[0,5]", "[0,6]")),
+               "x.json: features[1].file_vertices[1]: there is no vertex of the file 6, only 6");
+  CHECK_THROWS(Input_error, read_text(replaced("[0,5]", "7")), "x.json: features[1].file_vertices: an array");
+  CHECK_THROWS(Input_error, read_text(replaced(",\"file_vertices\":[0,5]", "")),
+               "x.json: features[1].file_vertices: is missing");
+  CHECK_THROWS(Input_error, read_text(replaced(",\"file_vertices\":[2,4]", "")),
+               "x.json: features[1]: has file_vertices, the first feature has not");
+  CHECK_THROWS(Input_error, read_text(replaced("\"first_vertex\":4,", "")),
+               "x.json: animation.parts[1].first_vertex: is missing");
+}
+
+void test_json_errors()
+{
+  IO::Result_description d = some_animation();
+  d.add("a", 1);
+  d.add("b", 2);
+  const std::string text = json(features(), d);
+  CHECK(read_text(text).features.size() == 2);
+  // of several such parts, the last
+  const auto replaced = [&](const std::string& part, const std::string& by) {
+    std::string changed = text;
+    const std::size_t place = changed.rfind(part);
+    CHECK(place != std::string::npos);
+    changed.replace(place, part.size(), by);
+    return changed;
+  };
+  const auto check = [&](const std::string& part, const std::string& by, const std::string& message) {
+    CHECK_THROWS(Input_error, read_text(replaced(part, by)), "x.json: " + message);
+  };
+
+  // no JSON, with the place
+  CHECK_THROWS(Input_error, read_text(""), "x.json: is no valid JSON: line 1, column 1");
+  CHECK_THROWS(Input_error, read_text(text + "}"), "x.json: is no valid JSON: line");
+  CHECK_THROWS(Input_error, read_text(text.substr(0, text.size() - 10)), "x.json: is no valid JSON: line 8, column");
+  check("\"sigma\":0.5", "\"sigma\":NaN", "is no valid JSON: line 8, column 69, at features[1].sigma");
+  check("\"sigma\":0.5", "\"sigma\":0,5", "is no valid JSON: line 8");
+  check("\"sigma\":0.5", "\"sigma\":1e999", "a number is too large, at features[1].sigma");
+  check("[1.0,0.0,0.0]", "[1.0,Infinity,0]", "is no valid JSON: line 8");
+  check("[1.0,0.0,0.0]", "[1.0,1e999,0]", "a number is too large, at features[1].barycentric_coordinates[1]");
+  check("\"b\"", "\"\xff\"", "is no valid JSON: line 5, column 4");
+  const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
+  check("\"b\": 2", "\"b\": " + nested(100000), "is nested too deeply");
+  check("\"version\"", "\"x\": " + nested(64) + ",\"version\"", "is nested too deeply");
+  CHECK(read_text(replaced("\"version\"", "\"x\": " + nested(63) + ",\"version\"")).features.size() == 2);
+
+  // another file, another version
+  for (const char* other : {"[]", "{}", "null", "{\"format\": 1}", "{\"format\": \"animated-mesh-features-scene\"}"})
+    CHECK_THROWS(Input_error, read_text(other), "x.json: is no file of features: it has no \"format\"");
+  check("\"version\": 1", "\"version\": 2", "has version 2 of the format; known is version 1 only");
+  check("\"version\": 1", "\"version\": \"1\"", "version: a whole number is expected");
+  check("\"version\": 1,", "", "version: is missing");
+
+  // members that are missing, one after the other
+  for (const char* name : {"animation", "parameters", "features"})
+    check("\"" + std::string(name) + "\"", "\"x\"", std::string(name) + ": is missing");
+  for (const char* name :
+       {"vertices", "faces", "frames", "frame_duration", "bounding_box_diagonal", "mean_edge_length"})
+    check("\"" + std::string(name) + "\"", "\"x\"", "animation." + std::string(name) + ": is missing");
+  for (const char* name : {"vertex", "frame", "time", "position", "sigma", "tau", "response", "rest_position",
+                           "triangle", "barycentric_coordinates", "at_scale_limit"})
+    check("\"" + std::string(name) + "\":", "\"x\":", "features[1]." + std::string(name) + ": is missing");
+
+  // members of another type, or out of range
+  check("\"vertices\":2000000", "\"vertices\":-1", "animation.vertices: a whole number is expected, 0 or more");
+  check("\"frames\":2000", "\"frames\":2000.5", "animation.frames: a whole number is expected");
+  check("\"frame_duration\":0.1", "\"frame_duration\":null", "animation.frame_duration: a finite number is expected");
+  check("\"frame_duration\":0.1", "\"frame_duration\":-0.1", "animation.frame_duration: is negative");
+  check("\"frame_duration\":0.1", "\"frame_duration\":0", "animation.frame_duration: is not positive");
+  check("\"a\": 1", "\"a\": {}", "parameters.a: a truth value");
+  check("\"a\": 1", "\"a\": [1, \"x\"]", "parameters.a: a truth value");
+  check("\"a\": 1", "\"b\": 1", "parameters: two parameters have the same name");
+  check("\"vertex\":0", "\"vertex\":2000000", "features[1].vertex: there is no vertex 2000000, only 2000000");
+  check("\"vertex\":0", "\"vertex\":18446744073709551616", "features[1].vertex: a whole number is expected");
+  check("\"frame\":0", "\"frame\":2000", "features[1].frame: there is no frame 2000, only 2000");
+  check("\"frame\":0", "\"frame\":true", "features[1].frame: a whole number is expected");
+  check("\"time\":0.0", "\"time\":\"0\"", "features[1].time: a finite number is expected");
+  check("\"sigma\":0.5", "\"sigma\":null", "features[1].sigma: a finite number is expected");
+  check("\"triangle\":[0,0,0]", "\"triangle\":[0,0,2000000]", "features[1].triangle[2]: there is no vertex 2000000");
+  check("\"triangle\":[0,0,0]", "\"triangle\":[0,0]", "features[1].triangle: three values are expected");
+  check("\"position\":[0.0,0.0,0.0]", "\"position\":{}", "features[1].position: an array is expected");
+  check("[1.0,0.0,0.0]", "[1.0,0.0,null]", "features[1].barycentric_coordinates[2]: a finite number is expected");
+  check("\"at_scale_limit\":false", "\"at_scale_limit\":0", "features[1].at_scale_limit: true or false is expected");
+
+  // what is not known, and what follows from other members
+  for (const char* more : {"\"x\":{\"sigma\":7},", "\"parts\":3,", "\"radius\":\"large\","}) {
+    const IO::Feature_file_data data = read_text(replaced("\"sigma\":0.5", more + std::string("\"sigma\":0.5")));
+    CHECK(data.features.size() == 2 && data.features[1].sigma == 0.5);
+    CHECK(written(data) == text);
+  }
+  CHECK(written(read_text(replaced("\"radius\":0.7071067811865476,", ""))) == text);
+  CHECK(written(read_text(replaced("\"strength\":0.125,", ""))) == text);
+  CHECK(written(read_text(replaced("\"format\"", "\"x\": [null], \"format\""))) == text);
+  CHECK(written(read_text(replaced("\"faces\"", "\"x\": 1, \"faces\""))) == text);
+}
+
+// nlohmann-json finds what makes an object of a feature.
+void test_json_objects()
+{
+  const nlohmann::ordered_json all = std::vector<Feature>(2, features().front());
+  CHECK(all.size() == 2 && all[1].size() == 13 && all[1].begin().key() == "vertex");
+  CHECK(all[0]["sigma"] == 0.25 && all[0]["triangle"][1] == 1300000 && all[0]["at_scale_limit"] == true);
+  CHECK(json(features(), IO::Result_description()).find(all[0].dump()) != std::string::npos);
 }
 
 void test_csv()
@@ -227,6 +498,10 @@ int main()
 {
   use_hostile_locale();
   test_json();
+  test_json_read_back();
+  test_json_origins();
+  test_json_errors();
+  test_json_objects();
   test_csv();
   test_ply();
   test_npy_of<float>();

@@ -18,13 +18,11 @@ int main()
 
 #else
 
-  #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
   #include "page/write_html.h"
   #include "rendering/Palette.h"
-  #include <CGAL/Animated_mesh_features/Detection/Spatio_temporal_feature.h>
+  #include "scenes/Shown_scene.h"
 
-  #include <CGAL/Simple_cartesian.h>
-  #include <CGAL/Surface_mesh.h>
+  #include <zlib.h>
 
   #define BOOST_BIND_GLOBAL_PLACEHOLDERS // asked for by property_tree in Boost 1.74, where it would warn of itself
   #include <boost/property_tree/json_parser.hpp>
@@ -45,11 +43,12 @@ using boost::property_tree::ptree;
 
 namespace {
 
-typedef CGAL::Simple_cartesian<double>::Point_3 Point;
-typedef CGAL::Surface_mesh<Point> Mesh;
-typedef Frame_sequence<Mesh> Sequence;
-typedef Spatio_temporal_feature<Mesh::Vertex_index> Feature;
-typedef IO::Scene<Sequence, Feature> Scene;
+typedef Programs::Shown_sequence Sequence;
+typedef Programs::Shown_feature Feature;
+typedef Programs::Shown_scene Scene;
+typedef Programs::Shown_values Values;
+typedef Sequence::Triangle_mesh Mesh;
+typedef Sequence::Point_3 Point;
 
 const std::string page_head = "<html><title>a page</title>\n", page_tail = "<script>program</script></html>\n";
 const std::string page = page_head + "<!--scene-->" + page_tail;
@@ -248,17 +247,17 @@ Decoded decoded(const std::string& html)
   return d;
 }
 
-std::string written(const Scene& scene, const IO::Html_options& options = IO::Html_options())
+std::string written(const Scene& scene, const Programs::Html_options& options = Programs::Html_options())
 {
   std::ostringstream os; // has the hostile locale
-  IO::write_html(os, scene, page, options);
+  Programs::write_html(os, scene, page, options);
   return os.str();
 }
 
 // ---------------------------------------------------------------------------------------------------------- the tests
 
 // Colours at equal distances, between which the page interpolates, as near to the map as eight bits can be.
-void check_colours(const ptree& colours, const Rendering::Colour_map& map)
+void check_colours(const ptree& colours, const Programs::Rendering::Colour_map& map)
 {
   std::vector<std::array<double, 3>> table;
   for (const auto& c : colours) {
@@ -271,7 +270,7 @@ void check_colours(const ptree& colours, const Rendering::Colour_map& map)
   for (int i = 0; i <= 1000; ++i) {
     const double x = i / 1000. * double(table.size() - 1);
     const std::size_t k = std::min(std::size_t(x), table.size() - 2);
-    const auto expected = Rendering::encoded(map(i / 1000.));
+    const auto expected = Programs::Rendering::encoded(map(i / 1000.));
     for (std::size_t c = 0; c < 3; ++c)
       CHECK_NEAR(table[k][c] + (x - double(k)) * (table[k + 1][c] - table[k][c]), expected[c], 2);
   }
@@ -283,13 +282,13 @@ void test_what_is_written(double travel)
   const auto points = wave(mesh, 5, travel);
   const Sequence sequence(mesh, points, 1. / 25);
   const std::vector<Feature> features = {feature(7, -0.75), feature(3, -1. / 3)};
-  Spatio_temporal_field<double> field(mesh.num_vertices(), 5), zero(mesh.num_vertices(), 5);
+  Values field(mesh.num_vertices(), 5), zero(mesh.num_vertices(), 5);
   for (std::size_t v = 0; v < field.number_of_rows(); ++v)
     for (std::size_t f = 0; f < 5; ++f) field(v, f) = std::cos(0.1 * double(v) + double(f)) - 3;
   field(4, 2) = 1000; // above nearly all others: cut
   const Scene scene{sequence, features, {{"strain", &field}, {"none", &zero}}, "</script><script>alert(\"a & b\")"};
   std::ostringstream os;
-  const IO::Html_report report = IO::write_html(os, scene, page);
+  const Programs::Html_report report = Programs::write_html(os, scene, page);
   const std::string html = os.str();
   CHECK(html.compare(0, page_head.size(), page_head) == 0);
   CHECK(html.compare(html.size() - page_tail.size(), page_tail.size(), page_tail) == 0);
@@ -302,8 +301,8 @@ void test_what_is_written(double travel)
   CHECK(d["frames"] == 5);
   CHECK_NEAR(d["bounding_box_diagonal"], sequence.rest_shape().bounding_box_diagonal(), 0);
   CHECK(report.frame_step == 1);
-  check_colours(d.description.get_child("colours.field"), Rendering::field_colours());
-  check_colours(d.description.get_child("colours.duration"), Rendering::duration_colours());
+  check_colours(d.description.get_child("colours.field"), Programs::Rendering::field_colours());
+  check_colours(d.description.get_child("colours.duration"), Programs::Rendering::duration_colours());
 
   CHECK(d.faces.size() == mesh.num_faces());
   std::size_t i = 0;
@@ -351,7 +350,7 @@ void test_fewer_frames()
   const Sequence sequence(mesh, points, 1. / 25);
   const std::vector<Feature> features;
   const Scene scene{sequence, features, {}, ""};
-  IO::Html_options options;
+  Programs::Html_options options;
   options.frame_step = 4;
   const Decoded d = decoded(written(scene, options));
   const std::vector<double> kept = array(d.description.get_child("kept_frames"));
@@ -363,21 +362,21 @@ void test_fewer_frames()
       CHECK(CGAL::squared_distance(points[std::size_t(kept[k])][v], d.frames[k][v]) < 1e-3);
 
   // as the limits tell
-  options = IO::Html_options();
-  CHECK(IO::html_frame_step(9346, 48, options) == 1);
+  options = Programs::Html_options();
+  CHECK(Programs::html_frame_step(9346, 48, options) == 1);
   options.most_positions = 100 * 50;
   options.fewest_frames = 24;
-  CHECK(IO::html_frame_step(100, 50, options) == 1);
-  CHECK(IO::html_frame_step(100, 51, options) == 2);
-  CHECK(IO::html_frame_step(100, 151, options) == 4);
-  CHECK(IO::html_frame_step(208, 1000, options) == 42);
-  CHECK_THROWS(Option_error, IO::html_frame_step(209, 1000, options),
+  CHECK(Programs::html_frame_step(100, 50, options) == 1);
+  CHECK(Programs::html_frame_step(100, 51, options) == 2);
+  CHECK(Programs::html_frame_step(100, 151, options) == 4);
+  CHECK(Programs::html_frame_step(208, 1000, options) == 42);
+  CHECK_THROWS(Option_error, Programs::html_frame_step(209, 1000, options),
                "209 vertices leave room for 23 of its 1000 frames");
-  CHECK_THROWS(Option_error, IO::html_frame_step(5001, 3, options), "leave room for 0 of its 3 frames");
-  CHECK(IO::html_frame_step(1000, 5, options) == 1);
+  CHECK_THROWS(Option_error, Programs::html_frame_step(5001, 3, options), "leave room for 0 of its 3 frames");
+  CHECK(Programs::html_frame_step(1000, 5, options) == 1);
   options.frame_step = 3;
-  CHECK(IO::html_frame_step(5001, 30, options) == 3);
-  options = IO::Html_options();
+  CHECK(Programs::html_frame_step(5001, 30, options) == 3);
+  options = Programs::Html_options();
   options.most_positions = mesh.num_vertices() * 12;
   CHECK_THROWS(Option_error, written(scene, options), "too large for a page");
   options.fewest_frames = 10;
@@ -390,12 +389,13 @@ void test_bad_input()
   const Sequence sequence(mesh, wave(mesh, 4, 0), 0.1);
   std::ostringstream os;
   const std::vector<Feature> none, elsewhere = {feature(1000, -1)};
-  CHECK_THROWS(Option_error, IO::write_html(os, Scene{sequence, none, {}, ""}, "<html></html>"), "not the viewer");
-  CHECK_THROWS(Input_error, IO::write_html(os, Scene{sequence, elsewhere, {}, ""}, page), "1000");
-  Spatio_temporal_field<double> bad(3, 4), infinite(mesh.num_vertices(), 4);
-  CHECK_THROWS(Option_error, IO::write_html(os, Scene{sequence, none, {{"strain", &bad}}, ""}, page), "");
+  CHECK_THROWS(Option_error, Programs::write_html(os, Scene{sequence, none, {}, ""}, "<html></html>"),
+               "not the viewer");
+  CHECK_THROWS(Input_error, Programs::write_html(os, Scene{sequence, elsewhere, {}, ""}, page), "1000");
+  Values bad(3, 4), infinite(mesh.num_vertices(), 4);
+  CHECK_THROWS(Option_error, Programs::write_html(os, Scene{sequence, none, {{"strain", &bad}}, ""}, page), "");
   infinite(2, 1) = std::numeric_limits<double>::infinity();
-  CHECK_THROWS(Input_error, IO::write_html(os, Scene{sequence, none, {{"strain", &infinite}}, ""}, page), "");
+  CHECK_THROWS(Input_error, Programs::write_html(os, Scene{sequence, none, {{"strain", &infinite}}, ""}, page), "");
   CHECK(os.str().empty());
 }
 

@@ -9,18 +9,13 @@
 
 #include "test_io_support.h"
 
-#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
-#include <CGAL/Animated_mesh_features/IO/Output_folder.h>
-#include "scenes/Scene.h"
+#include "scenes/Shown_scene.h"
 #include "scenes/feature_in_frame.h"
 #include "scenes/write_glb.h"
 #include "scenes/write_vtk.h"
-#include <CGAL/Animated_mesh_features/Detection/Spatio_temporal_feature.h>
-#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
-#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include <CGAL/Animated_mesh_features/IO/Output_folder.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <array>
 #include <cmath>
@@ -35,11 +30,12 @@ using namespace test_support;
 
 namespace {
 
-typedef CGAL::Simple_cartesian<double>::Point_3 Point;
-typedef CGAL::Surface_mesh<Point> Mesh;
-typedef Frame_sequence<Mesh> Sequence;
-typedef Spatio_temporal_feature<Mesh::Vertex_index> Feature;
-typedef IO::Scene<Sequence, Feature> Scene;
+typedef Programs::Shown_sequence Sequence;
+typedef Programs::Shown_feature Feature;
+typedef Programs::Shown_scene Scene;
+typedef Programs::Shown_values Values;
+typedef Sequence::Triangle_mesh Mesh;
+typedef Sequence::Point_3 Point;
 
 // Two triangles, of which vertex 3 rises; vertex 4 belongs to none.
 struct Flap
@@ -83,18 +79,19 @@ void test_features_in_frames()
   Feature f = flap.features[0];
   // within 0.4 s of 1.04 s
   for (std::size_t frame = 0; frame < 20; ++frame) {
-    CHECK(IO::lives_in_frame(f, frame, 0.1) == (frame >= 7 && frame <= 14));
+    CHECK(Programs::lives_in_frame(f, frame, 0.1) == (frame >= 7 && frame <= 14));
     const double expected =
         frame >= 7 && frame <= 14 ? std::exp(-std::pow((0.1 * double(frame) - 1.04) / 0.2, 2) / 2) : 0;
-    CHECK_NEAR(IO::opacity_in_frame(f, frame, 0.1), expected, 1e-12);
+    CHECK_NEAR(Programs::opacity_in_frame(f, frame, 0.1), expected, 1e-12);
   }
   // shorter than the time between frames
   f.tau = 0.001;
-  CHECK(IO::lives_in_frame(f, 10, 0.1) && !IO::lives_in_frame(f, 9, 0.1) && !IO::lives_in_frame(f, 11, 0.1));
+  CHECK(Programs::lives_in_frame(f, 10, 0.1) && !Programs::lives_in_frame(f, 9, 0.1) &&
+        !Programs::lives_in_frame(f, 11, 0.1));
   f.tau = 0;
-  CHECK_NEAR(IO::opacity_in_frame(f, 10, 0.1), 1, 0);
-  CHECK_NEAR(IO::opacity_in_frame(f, 11, 0.1), 0, 0);
-  const std::array<double, 3> p = IO::position_in_frame(sequence, f, 8);
+  CHECK_NEAR(Programs::opacity_in_frame(f, 10, 0.1), 1, 0);
+  CHECK_NEAR(Programs::opacity_in_frame(f, 11, 0.1), 0, 0);
+  const std::array<double, 3> p = Programs::position_in_frame(sequence, f, 8);
   CHECK_NEAR(p[0], 0.75, 1e-12);
   CHECK_NEAR(p[1], 0.75, 1e-12);
   CHECK_NEAR(p[2], 4, 1e-12);
@@ -103,7 +100,7 @@ void test_features_in_frames()
 std::string glb(const Scene& scene)
 {
   std::ostringstream os; // has the hostile locale
-  IO::write_glb(os, scene);
+  Programs::write_glb(os, scene);
   return os.str();
 }
 
@@ -111,7 +108,7 @@ void test_checks()
 {
   const Flap flap;
   const Sequence sequence = flap.sequence();
-  Spatio_temporal_field<double> small(5, 19), field(5, 20);
+  Values small(5, 19), field(5, 20);
   const Scene good{sequence, flap.features, {{"a", &field}}, "title"};
   CHECK(good.field("a") == &field && good.field("b") == nullptr);
   CHECK(glb(good).size() > 1000);
@@ -141,8 +138,8 @@ void test_text_of_files()
   const Sequence sequence = flap.sequence();
   const std::string title = "a <b> & \"c\" \x01\xff";
   const Scene scene{sequence, flap.features, {}, title};
-  CHECK(glb(scene).find("\"name\": \"a <b> & \\\"c\\\" \\u0001\xef\xbf\xbd\"") != std::string::npos);
-  CHECK(glb(scene).find("\"frame_duration\": 0.1}") != std::string::npos);
+  CHECK(glb(scene).find("\"name\":\"a <b> & \\\"c\\\" \\u0001\xef\xbf\xbd\"") != std::string::npos);
+  CHECK(glb(scene).find("\"frame_duration\":0.1}") != std::string::npos);
 }
 
 void test_vtk_folder()
@@ -150,17 +147,18 @@ void test_vtk_folder()
   const Temporary_folder folder;
   const Flap flap;
   const Sequence sequence = flap.sequence();
-  Spatio_temporal_field<double> field(5, 20);
+  Values field(5, 20);
   const std::vector<Feature> none;
   const Scene scene{sequence, none, {{"a <field> & \"b\" \x01\xff", &field}}, ""};
   {
     IO::Output_folder output(folder.path("new"));
-    IO::write_vtk(output, scene);
+    Programs::write_vtk(output, scene);
     CHECK(!std::filesystem::exists(folder.path("new")));
     output.commit();
   }
   CHECK(folder.number_of_entries() == 1);
-  CHECK(folder.read("new/surface_0019.vtp").find("Name=\"a &lt;field&gt; &amp; &quot;b&quot; \xef\xbf\xbd\xef\xbf\xbd\"") != std::string::npos);
+  CHECK(folder.read("new/surface_0019.vtp")
+            .find("Name=\"a &lt;field&gt; &amp; &quot;b&quot; \xef\xbf\xbd\xef\xbf\xbd\"") != std::string::npos);
   CHECK(folder.read("new/features_0003.vtp").find("NumberOfPoints=\"0\"") != std::string::npos);
   CHECK(folder.read("new/surface.pvd").find("timestep=\"0.5\"") != std::string::npos);
 
@@ -170,11 +168,11 @@ void test_vtk_folder()
       Output_error,
       [&] {
         IO::Output_folder output(folder.path("other"));
-        IO::write_vtk(output, scene);
+        Programs::write_vtk(output, scene);
       }(),
       "frame 17");
   CHECK(folder.number_of_entries() == 1);
-  CHECK(IO::internal::vtp_name("surface", 7, 123456) == "surface_000007.vtp");
+  CHECK(Programs::vtp_name("surface", 7, 123456) == "surface_000007.vtp");
 }
 
 void put(IO::Output_folder& output, const std::string& file, const std::string& text)
