@@ -146,7 +146,7 @@ set(cpp "// made by cmake/make_viewer_page.cmake
 
 #include <cstddef>
 
-namespace Detect_features {
+namespace Programs {
 
 extern const unsigned char viewer_page_bytes[];
 extern const std::size_t viewer_page_size;
@@ -158,7 +158,7 @@ ${numbers}
 const std::size_t viewer_page_size = ${size};
 const char* const viewer_page_missing = \"${reason}\";
 
-} // namespace Detect_features
+} // namespace Programs
 ")
 set(old_cpp "")
 if(EXISTS "${cpp_file}")

@@ -31,7 +31,7 @@ fi
 fbx=/usr/share/assimp/models/FBX/animation_with_skeleton.fbx
 echo text >text.fbx
 if [[ " $formats " != *" assimp "* ]]; then
-  expect 3 "text.fbx: this detect_features was built without assimp" text.fbx
+  expect 3 "text.fbx: this program was built without assimp" text.fbx
 else
   expect 3 "text.fbx: cannot be read through assimp" text.fbx
   if [[ -f "$fbx" ]]; then
@@ -48,7 +48,7 @@ else
 fi
 echo text >text.h5
 if [[ " $formats " != *" HDF5 "* ]]; then
-  expect 3 "text.h5: this detect_features was built without HDF5" text.h5
+  expect 3 "text.h5: this program was built without HDF5" text.h5
 else
   "$dump" sheet sheet.h5 || fail "cannot write an HDF5 file"
   cp sheet.h5 sheet

@@ -6,7 +6,7 @@
 
 #include "detect_features/short_usage.h"
 
-#include "output/Html_file.h"
+#include "output/Viewer_page.h"
 
 #include <string>
 
@@ -53,8 +53,8 @@ std::string short_usage()
   };
   tell(reads_gltf, "glTF (.glb, .gltf)");
   tell(reads_through_assimp, "FBX, Collada, X (.fbx, .dae, .x)");
-  tell(reads_hdf5, "HDF5 (.h5)");
-  tell(missing_viewer().empty(), "--html");
+  tell(reads_hdf5, "HDF5 (.h5, .hdf5)");
+  tell(Programs::missing_viewer().empty(), "--html");
   tell(draws_pictures, "--png, --plot");
 
   std::string text =

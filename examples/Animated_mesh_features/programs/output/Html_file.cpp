@@ -6,7 +6,9 @@
 
 #include "output/Html_file.h"
 
+#include "output/Viewer_page.h"
 #include "page/Html_options.h"
+
 #include <CGAL/Animated_mesh_features/IO/Output_file.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
@@ -14,35 +16,15 @@
   #include "page/write_html.h"
 #endif
 
-#include <algorithm>
-#include <iostream>
-#include <string_view>
-
 namespace AMF = CGAL::Animated_mesh_features;
 
-namespace Detect_features {
-
-#ifdef DETECT_FEATURES_WITH_VIEWER
-// The viewer's page, from viewer_page.cpp, which the build makes; or why there is none.
-extern const unsigned char viewer_page_bytes[];
-extern const std::size_t viewer_page_size;
-extern const char* const viewer_page_missing;
-#endif
-
-std::string missing_viewer()
-{
-#ifdef DETECT_FEATURES_WITH_VIEWER
-  return viewer_page_missing;
-#else
-  return "zlib was missing, or the viewer switched off";
-#endif
-}
+namespace Programs {
 
 namespace {
 
-Programs::Html_options html_options(std::size_t frame_step)
+Html_options html_options(std::size_t frame_step)
 {
-  Programs::Html_options options;
+  Html_options options;
   options.frame_step = frame_step;
   return options;
 }
@@ -64,8 +46,7 @@ public:
 
   void write(const Shown_scene& scene) override
   {
-    const std::string_view page(reinterpret_cast<const char*>(viewer_page_bytes), viewer_page_size);
-    Programs::write_html(m_file.stream(), scene, page, html_options(m_frame_step));
+    write_html(m_file.stream(), scene, viewer_page(), html_options(m_frame_step));
     m_file.stream().flush();
     m_file.check();
   }
@@ -79,22 +60,20 @@ private:
 
 } // namespace
 
-void check_html(const Command_line& c, std::size_t number_of_vertices, std::size_t number_of_frames)
+std::string html_notice(const Output_options& o, std::size_t number_of_vertices, std::size_t number_of_frames)
 {
-  const bool is_wanted =
-      std::any_of(c.scenes.begin(), c.scenes.end(), [](const auto& s) { return s.kind == Scene_format::HTML; });
-  if (!is_wanted) return;
+  if (!o.has_scene(Scene_format::HTML)) return std::string();
   check_viewer();
   std::size_t step = 0;
   try {
-    step = Programs::html_frame_step(number_of_vertices, number_of_frames, html_options(c.html_frame_step));
+    step = Programs::html_frame_step(number_of_vertices, number_of_frames, html_options(o.html_frame_step));
   } catch (const AMF::Option_error& e) {
     throw AMF::Option_error("--html: " + std::string(e.what()) +
                             ": --html-every N takes every N-th frame, 1 all of them");
   }
-  if (step > 1 && c.html_frame_step == 0 && !c.quiet)
-    std::cerr << "--html: the page has 1 of " << step
-              << " frames, so that it stays small enough for a browser; --html-every 1 takes all of them" << std::endl;
+  if (step <= 1 || o.html_frame_step != 0) return std::string();
+  return "--html: the page has 1 of " + std::to_string(step) +
+         " frames, so that it stays small enough for a browser; --html-every 1 takes all of them\n";
 }
 
 std::unique_ptr<Scene_file> open_html_file(const std::string& path, std::size_t frame_step)
@@ -109,4 +88,4 @@ std::unique_ptr<Scene_file> open_html_file(const std::string& path, std::size_t 
 #endif
 }
 
-} // namespace Detect_features
+} // namespace Programs

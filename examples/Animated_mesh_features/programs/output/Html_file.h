@@ -4,29 +4,26 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef DETECT_FEATURES_HTML_FILE_H
-#define DETECT_FEATURES_HTML_FILE_H
+#ifndef PROGRAMS_OUTPUT_HTML_FILE_H
+#define PROGRAMS_OUTPUT_HTML_FILE_H
 
-#include "detect_features/Command_line.h"
+#include "output/Output_options.h"
 #include "output/Scene_files.h"
 
 #include <cstddef>
 #include <memory>
 #include <string>
 
-namespace Detect_features {
+namespace Programs {
 
-// Why this program cannot write pages; empty if it can.
-std::string missing_viewer();
-
-// If a page is asked for: whether this program has the viewer, and the page has room for an animation of that size. Unless
-// the command line says --quiet, tells if there is room for a part of the frames only.
+// If a page is asked for, checks that this program has the viewer, and the page has room for an animation of that size.
+// returns one line, or nothing: there is room for a part of the frames only.
 // throws Option_error.
-void check_html(const Command_line& command_line, std::size_t number_of_vertices, std::size_t number_of_frames);
+std::string html_notice(const Output_options& options, std::size_t number_of_vertices, std::size_t number_of_frames);
 
 // throws Option_error, Output_error.
 std::unique_ptr<Scene_file> open_html_file(const std::string& path, std::size_t frame_step);
 
-} // namespace Detect_features
+} // namespace Programs
 
-#endif // DETECT_FEATURES_HTML_FILE_H
+#endif // PROGRAMS_OUTPUT_HTML_FILE_H

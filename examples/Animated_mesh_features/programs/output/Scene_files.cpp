@@ -7,16 +7,16 @@
 #include "output/Scene_files.h"
 
 #include "output/Html_file.h"
-
-#include <CGAL/Animated_mesh_features/IO/Output_file.h>
-#include <CGAL/Animated_mesh_features/IO/Output_folder.h>
-#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include "scenes/write_glb.h"
+#include "scenes/write_vtk.h"
 #ifdef DETECT_FEATURES_WITH_PICTURES
   #include "pictures/write_png.h"
   #include "plots/write_plot.h"
 #endif
-#include "scenes/write_vtk.h"
+
+#include <CGAL/Animated_mesh_features/IO/Output_file.h>
+#include <CGAL/Animated_mesh_features/IO/Output_folder.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <algorithm>
 #include <cctype>
@@ -27,7 +27,7 @@
 
 namespace AMF = CGAL::Animated_mesh_features;
 
-namespace Detect_features {
+namespace Programs {
 
 namespace {
 
@@ -38,7 +38,7 @@ public:
     : m_folder(path)
   {}
 
-  void write(const Shown_scene& scene) override { Programs::write_vtk(m_folder, scene); }
+  void write(const Shown_scene& scene) override { write_vtk(m_folder, scene); }
   void commit() override { m_folder.commit(); }
 
 private:
@@ -76,12 +76,10 @@ std::unique_ptr<Scene_file> single_file(const std::string& path, Write write)
 
 #ifdef DETECT_FEATURES_WITH_PICTURES
 // The standard output has no ending.
-Programs::Drawing_format plot_format(const std::string& path)
+Drawing_format plot_format(const std::string& path)
 {
-  using Programs::Drawing_format;
   std::string ending = path == "-" ? ".svg" : std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
   if (ending == ".svg") return Drawing_format::SVG;
   if (ending == ".pdf") return Drawing_format::PDF;
   if (ending == ".png") return Drawing_format::PNG;
@@ -89,25 +87,29 @@ Programs::Drawing_format plot_format(const std::string& path)
 }
 #endif
 
-std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested, const Command_line& c)
+std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested, const Output_options& o)
 {
   switch (requested.kind) {
-  case Scene_format::HTML: return open_html_file(requested.path, c.html_frame_step);
-  case Scene_format::VTK: return std::make_unique<Vtk_folder>(requested.path);
+  case Scene_format::HTML:
+    return open_html_file(requested.path, o.html_frame_step);
+  case Scene_format::VTK:
+    return std::make_unique<Vtk_folder>(requested.path);
   case Scene_format::GLB:
-    return single_file(requested.path, [](std::ostream& os, const Shown_scene& scene) { Programs::write_glb(os, scene); });
+    return single_file(requested.path, [](std::ostream& os, const Shown_scene& scene) { write_glb(os, scene); });
 #ifdef DETECT_FEATURES_WITH_PICTURES
   case Scene_format::PLOT:
-    return single_file(requested.path, [format = plot_format(requested.path)](std::ostream& os, const Shown_scene& scene) {
-      Programs::write_plot(os, scene, format);
-    });
+    return single_file(requested.path,
+                       [format = plot_format(requested.path)](std::ostream& os, const Shown_scene& scene) {
+                         write_plot(os, scene, format);
+                       });
   case Scene_format::PNG:
-    return single_file(requested.path, [options = c.picture](std::ostream& os, const Shown_scene& scene) {
-      Programs::write_png(os, scene, options);
+    return single_file(requested.path, [options = o.picture](std::ostream& os, const Shown_scene& scene) {
+      write_png(os, scene, options);
     });
 #else
   case Scene_format::PLOT:
-  case Scene_format::PNG: break; // refused by the command line
+  case Scene_format::PNG:
+    break; // refused with the option
 #endif
   }
   return nullptr;
@@ -115,9 +117,9 @@ std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested, 
 
 } // namespace
 
-Scene_files::Scene_files(const Command_line& command_line)
+Scene_files::Scene_files(const Output_options& options)
 {
-  for (const auto& requested : command_line.scenes) m_files.push_back(open(requested, command_line));
+  for (const auto& requested : options.scenes) m_files.push_back(open(requested, options));
 }
 
 void Scene_files::write(const Shown_scene& scene)
@@ -130,4 +132,4 @@ void Scene_files::commit()
   for (auto& file : m_files) file->commit();
 }
 
-} // namespace Detect_features
+} // namespace Programs

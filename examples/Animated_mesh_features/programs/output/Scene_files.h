@@ -4,20 +4,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef DETECT_FEATURES_SCENE_FILES_H
-#define DETECT_FEATURES_SCENE_FILES_H
+#ifndef PROGRAMS_OUTPUT_SCENE_FILES_H
+#define PROGRAMS_OUTPUT_SCENE_FILES_H
 
-#include "reading/Animation.h"
-#include "detect_features/Command_line.h"
-
+#include "output/Output_options.h"
 #include "scenes/Shown_scene.h"
 
 #include <memory>
 #include <vector>
 
-namespace Detect_features {
-
-using Programs::Shown_scene;
+namespace Programs {
 
 // An output that shows a scene, open since it was made; what it is, is known to Scene_files.cpp only.
 class Scene_file
@@ -28,12 +24,12 @@ public:
   virtual void commit() = 0;                        // throws Output_error
 };
 
-// The files that show the features on the surface. Their writers are compiled on their own: detection, which takes a
-// compiler minutes, does not see them.
+// The files that show the features on the surface.
 class Scene_files
 {
 public:
-  explicit Scene_files(const Command_line& command_line);
+  // throws Output_error; Option_error if the program was built without what writes one.
+  explicit Scene_files(const Output_options& options);
 
   void write(const Shown_scene& scene);
   void commit();
@@ -42,6 +38,6 @@ private:
   std::vector<std::unique_ptr<Scene_file>> m_files;
 };
 
-} // namespace Detect_features
+} // namespace Programs
 
-#endif // DETECT_FEATURES_SCENE_FILES_H
+#endif // PROGRAMS_OUTPUT_SCENE_FILES_H

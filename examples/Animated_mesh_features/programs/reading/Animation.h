@@ -4,35 +4,28 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef DETECT_FEATURES_ANIMATION_H
-#define DETECT_FEATURES_ANIMATION_H
+#ifndef PROGRAMS_READING_ANIMATION_H
+#define PROGRAMS_READING_ANIMATION_H
 
-#include "detect_features/Command_line.h"
+#include "reading/Reading_options.h"
+#include "reading/Sequence.h"
 
-#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
-#include <CGAL/Animated_mesh_features/IO/read_animation.h>
-#include <CGAL/Animated_mesh_features/Detection/Spatio_temporal_feature.h>
+#include <CGAL/Animated_mesh_features/IO/Memory_chooser.h>
+#include <CGAL/Animated_mesh_features/IO/Vertex_origins.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace Detect_features {
+namespace Programs {
 
-typedef double FT;
-typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
-typedef CGAL::Animated_mesh_features::Frame_sequence<Mesh, FT> Sequence;
-typedef CGAL::Animated_mesh_features::Spatio_temporal_feature<Sequence::vertex_descriptor> Feature;
-
-// The animation and the rest shape that the command line names.
+// The animation and the rest shape that were asked for.
 class Animation
 {
 public:
   // throws Input_error and Option_error, and what `choose_memory` throws.
-  Animation(const Command_line& command_line, const CGAL::Animated_mesh_features::IO::Memory_chooser& choose_memory);
+  Animation(const Reading_options& options, const CGAL::Animated_mesh_features::IO::Memory_chooser& choose_memory);
   Animation(const Animation&) = delete;
   Animation& operator=(const Animation&) = delete;
 
@@ -59,12 +52,6 @@ public:
   double rest_factor() const { return m_rest_factor; }
 
 private:
-  typedef CGAL::Animated_mesh_features::IO::Animation_file_data<FT> File_data;
-
-  void take_notes(File_data& data);
-  void set_frame_duration(const Command_line& command_line, const File_data& data);
-  void set_rest(const Command_line& command_line, const File_data& data);
-
   Mesh m_mesh;
   std::optional<Sequence> m_sequence; // refers to the mesh
   double m_frames_per_second = 0;
@@ -75,6 +62,6 @@ private:
   double m_rest_factor = 1;
 };
 
-} // namespace Detect_features
+} // namespace Programs
 
-#endif // DETECT_FEATURES_ANIMATION_H
+#endif // PROGRAMS_READING_ANIMATION_H

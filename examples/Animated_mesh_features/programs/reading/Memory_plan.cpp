@@ -18,7 +18,7 @@
 
 namespace AMF = CGAL::Animated_mesh_features;
 
-namespace Detect_features {
+namespace Programs {
 
 namespace {
 
@@ -39,20 +39,20 @@ std::string amount(std::size_t bytes)
 Memory_plan::Memory_plan(std::optional<std::size_t> limit, std::string scratch_directory)
   : m_limit(limit)
   , m_scratch_directory(std::move(scratch_directory))
-{
-}
+{}
 
-std::shared_ptr<AMF::Field_memory>
-Memory_plan::decide(std::size_t number_of_vertices, std::size_t number_of_frames, std::size_t fields)
+std::shared_ptr<AMF::Field_memory> Memory_plan::decide(std::size_t number_of_vertices, std::size_t number_of_frames,
+                                                       std::size_t fields)
 {
   AMF::Memory_estimate estimate = AMF::estimated_memory(number_of_vertices, number_of_frames, sizeof(double));
   estimate.fields += fields * estimate.level;
   const std::size_t available = AMF::available_memory();
-  const std::string size = std::to_string(number_of_vertices) + " vertices in " + std::to_string(number_of_frames) +
-                           " frames";
+  const std::string size =
+      std::to_string(number_of_vertices) + " vertices in " + std::to_string(number_of_frames) + " frames";
   if (estimate.least() <= m_limit.value_or(available)) {
     m_level_memory = estimate.for_levels(m_limit.value_or(available));
-    m_report = "memory: about " + amount((std::min)(estimate.most(), m_limit.value_or(available))) + ", fields in memory";
+    m_report =
+        "memory: about " + amount((std::min)(estimate.most(), m_limit.value_or(available))) + ", fields in memory";
     return AMF::Field_memory::heap();
   }
   const std::string needed = size + " need about " + amount(estimate.least()) + " of memory, ";
@@ -60,8 +60,8 @@ Memory_plan::decide(std::size_t number_of_vertices, std::size_t number_of_frames
   // the fields need some room to come and go
   const std::size_t least_limit = estimate.fixed + estimate.level / 4;
   if (!m_limit)
-    throw AMF::Error(needed + amount(available) + " are available; with --memory and at least " +
-                     amount(least_limit) + " it is computed on a scratch directory (--scratch), which takes " + on_disk);
+    throw AMF::Error(needed + amount(available) + " are available; with --memory and at least " + amount(least_limit) +
+                     " it is computed on a scratch directory (--scratch), which takes " + on_disk);
   if (*m_limit < least_limit)
     throw AMF::Error(needed + "and at least " + amount(least_limit) + " with all fields on a scratch directory; " +
                      "--memory allows " + amount(*m_limit));
@@ -69,4 +69,4 @@ Memory_plan::decide(std::size_t number_of_vertices, std::size_t number_of_frames
   return std::make_shared<AMF::Scratch_field_memory>(m_scratch_directory, *m_limit);
 }
 
-} // namespace Detect_features
+} // namespace Programs

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef DETECT_FEATURES_MEMORY_PLAN_H
-#define DETECT_FEATURES_MEMORY_PLAN_H
+#ifndef PROGRAMS_READING_MEMORY_PLAN_H
+#define PROGRAMS_READING_MEMORY_PLAN_H
 
 #include <CGAL/Animated_mesh_features/Numerics/memory/Field_memory.h>
 
@@ -14,7 +14,7 @@
 #include <optional>
 #include <string>
 
-namespace Detect_features {
+namespace Programs {
 
 // Decides, as soon as the size of an animation is known, whether it is computed in memory or on the scratch directory.
 class Memory_plan
@@ -27,8 +27,8 @@ public:
   // kept besides those of every detection.
   // returns where coordinates are to live, and with them all fields.
   // throws Error if the memory will not do, with the estimate; Output_error if the scratch directory will not.
-  std::shared_ptr<CGAL::Animated_mesh_features::Field_memory>
-  decide(std::size_t number_of_vertices, std::size_t number_of_frames, std::size_t fields);
+  std::shared_ptr<CGAL::Animated_mesh_features::Field_memory> decide(std::size_t number_of_vertices,
+                                                                     std::size_t number_of_frames, std::size_t fields);
 
   // for the space levels
   std::size_t level_memory() const { return m_level_memory; }
@@ -43,6 +43,6 @@ private:
   std::string m_report;
 };
 
-} // namespace Detect_features
+} // namespace Programs
 
-#endif // DETECT_FEATURES_MEMORY_PLAN_H
+#endif // PROGRAMS_READING_MEMORY_PLAN_H

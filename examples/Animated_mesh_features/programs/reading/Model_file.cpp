@@ -25,36 +25,40 @@
 
 namespace AMF = CGAL::Animated_mesh_features;
 
-namespace Detect_features {
+namespace Programs {
 
 namespace {
 
 Model_format model_format(AMF::IO::File_format format)
 {
   switch (format) {
-  case AMF::IO::File_format::GLTF: return Model_format::GLTF;
+  case AMF::IO::File_format::GLTF:
+    return Model_format::GLTF;
   case AMF::IO::File_format::FBX:
   case AMF::IO::File_format::COLLADA:
-  case AMF::IO::File_format::X: return Model_format::ASSIMP;
-  case AMF::IO::File_format::HDF5: return Model_format::HDF5;
-  default: return Model_format::NONE;
+  case AMF::IO::File_format::X:
+    return Model_format::ASSIMP;
+  case AMF::IO::File_format::HDF5:
+    return Model_format::HDF5;
+  default:
+    return Model_format::NONE;
   }
 }
 
-AMF::IO::Clip_sampling sampling(const Command_line& c)
+AMF::IO::Clip_sampling sampling(const Reading_options& o)
 {
   AMF::IO::Clip_sampling s;
-  s.clip = c.clip;
-  s.frames = c.clip_frames;
-  s.frames_per_second = c.frames_per_second;
-  s.there_and_back = c.there_and_back;
+  s.clip = o.clip;
+  s.frames = o.clip_frames;
+  s.frames_per_second = o.frames_per_second;
+  s.there_and_back = o.there_and_back;
   return s;
 }
 
 [[noreturn, maybe_unused]] void throw_without(const std::string& file, const std::string& library,
                                               const std::string& option)
 {
-  throw AMF::Input_error(file + ": this detect_features was built without " + library +
+  throw AMF::Input_error(file + ": this program was built without " + library +
                          ", which reads such files (CMake option ANIMATED_MESH_FEATURES_WITH_" + option + ")");
 }
 
@@ -71,10 +75,10 @@ Model_format model_format(const std::vector<std::string>& inputs)
   return Model_format::NONE;
 }
 
-AMF::IO::Animation_file_data<double> read_model_file(const Command_line& c, Model_format format,
+AMF::IO::Animation_file_data<double> read_model_file(const Reading_options& o, Model_format format,
                                                      const AMF::IO::Memory_chooser& choose_memory)
 {
-  const std::string& file = c.inputs.front();
+  const std::string& file = o.inputs.front();
   AMF::IO::check_readable(file);
   if (format == Model_format::GLTF) {
 #ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
@@ -95,7 +99,7 @@ AMF::IO::Animation_file_data<double> read_model_file(const Command_line& c, Mode
   }
 #ifdef ANIMATED_MESH_FEATURES_WITH_HDF5
   AMF::IO::Animation_file_data<double> data =
-      AMF::IO::read_hdf5<double>(file, c.clip, c.faces_dataset.empty() ? "faces" : c.faces_dataset, choose_memory);
+      AMF::IO::read_hdf5<double>(file, o.clip, o.faces_dataset.empty() ? "faces" : o.faces_dataset, choose_memory);
   const double rate_of_dfaust = 60; // these files do not tell
   for (std::size_t f = 0; f < data.frames; ++f) data.times.push_back(double(f) / rate_of_dfaust);
   return data;
@@ -104,4 +108,4 @@ AMF::IO::Animation_file_data<double> read_model_file(const Command_line& c, Mode
 #endif
 }
 
-} // namespace Detect_features
+} // namespace Programs

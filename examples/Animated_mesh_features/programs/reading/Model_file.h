@@ -4,17 +4,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef DETECT_FEATURES_MODEL_FILE_H
-#define DETECT_FEATURES_MODEL_FILE_H
+#ifndef PROGRAMS_READING_MODEL_FILE_H
+#define PROGRAMS_READING_MODEL_FILE_H
 
-#include "detect_features/Command_line.h"
+#include "reading/Reading_options.h"
 
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
 
 #include <string>
 #include <vector>
 
-namespace Detect_features {
+namespace Programs {
 
 // Formats in which one file holds everything, read by libraries that the program may have been built without.
 enum class Model_format
@@ -32,9 +32,9 @@ Model_format model_format(const std::vector<std::string>& inputs);
 // throws Input_error if the program was built without the library, as IO::read_gltf(), IO::read_assimp() and
 // IO::read_hdf5() do, and as IO::sample_clip() does.
 CGAL::Animated_mesh_features::IO::Animation_file_data<double>
-read_model_file(const Command_line& command_line, Model_format format,
+read_model_file(const Reading_options& options, Model_format format,
                 const CGAL::Animated_mesh_features::IO::Memory_chooser& choose_memory);
 
-} // namespace Detect_features
+} // namespace Programs
 
-#endif // DETECT_FEATURES_MODEL_FILE_H
+#endif // PROGRAMS_READING_MODEL_FILE_H

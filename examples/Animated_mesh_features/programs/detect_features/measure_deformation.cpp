@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "detect_features/measure_deformation.h"
+
+#include "detect_features/Chosen_measures.h"
+
+#include <CGAL/Animated_mesh_features/Deformation/Curvature_measures.h>
+#include <CGAL/Animated_mesh_features/Deformation/Deformation_measurement.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/default_ball_radius.h>
+
+using Programs::Field;
+using Programs::Monitor;
+using Programs::Sequence;
+using Programs::Values;
+using Programs::Wanted_fields;
+
+namespace Detect_features {
+
+namespace {
+
+template <class CurvatureMeasure>
+Deformation measure(const Sequence& sequence, const Method_options& o, const Method_values& values,
+                    const CurvatureMeasure& curvature, Wanted_fields& fields, Monitor& monitor)
+{
+  AMF::Deformation_options<Chosen_strain, CurvatureMeasure, Chosen_balls> options;
+  options.strain = Chosen_strain(o.strain);
+  options.curvature = curvature;
+  options.balls = Chosen_balls(o.balls);
+  options.triangle_weights = values.triangle_weights;
+  options.alpha = values.alpha;
+  Deformation result;
+  if (options.alpha != 0 || fields.is_wanted(Field::CURVATURE))
+    result.ball_radius = o.ball_radius ? o.ball_radius->on(sequence.rest_shape().bounding_box_diagonal())
+                                       : AMF::default_ball_radius(sequence.rest_shape());
+  options.ball_radius = result.ball_radius;
+  AMF::Deformation_measurement<Sequence, decltype(options)> measurement(sequence, options);
+
+  const auto use = [&](Field kind, const Values& field) {
+    fields.write(kind, field);
+    if (fields.is_kept(kind)) fields.keep(kind, field);
+  };
+  if (fields.is_wanted(Field::STRAIN)) use(Field::STRAIN, measurement.strain(monitor));
+  if (fields.is_wanted(Field::CURVATURE)) use(Field::CURVATURE, measurement.curvature_change(monitor));
+  result.field = measurement.take_deformation(monitor);
+  result.noise = measurement.noise();
+  fields.write(Field::DEFORMATION, result.field);
+  return result;
+}
+
+} // namespace
+
+Deformation measure_deformation(const Sequence& sequence, const Method_options& options, const Method_values& values,
+                                Wanted_fields& fields, Monitor& monitor)
+{
+  return options.curvature == Curvature::DENSITY
+             ? measure(sequence, options, values, AMF::Mean_curvature_density(), fields, monitor)
+             : measure(sequence, options, values, AMF::Mean_dihedral_angle(), fields, monitor);
+}
+
+} // namespace Detect_features

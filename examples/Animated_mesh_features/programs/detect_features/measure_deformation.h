@@ -1,0 +1,35 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DETECT_FEATURES_MEASURE_DEFORMATION_H
+#define DETECT_FEATURES_MEASURE_DEFORMATION_H
+
+#include "detect_features/Method_options.h"
+#include "detect_features/Method_values.h"
+#include "output/Wanted_fields.h"
+#include "reading/Sequence.h"
+#include "running/Monitor.h"
+
+namespace Detect_features {
+
+// The deformation of all vertices in all frames.
+struct Deformation
+{
+  Programs::Values field;
+  double noise = 0;       // of the responses to it
+  double ball_radius = 0; // length; 0 if no balls were needed
+};
+
+// The first stage. On the way, the fields that are wanted are written and kept; the deformation is written only, since
+// the second stage has it as long as that takes.
+// throws Option_error, Output_error, Numerical_error, Cancelled.
+Deformation measure_deformation(const Programs::Sequence& sequence, const Method_options& options,
+                                const Method_values& values, Programs::Wanted_fields& fields,
+                                Programs::Monitor& monitor);
+
+} // namespace Detect_features
+
+#endif // DETECT_FEATURES_MEASURE_DEFORMATION_H

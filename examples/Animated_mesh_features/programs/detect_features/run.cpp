@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "detect_features/run.h"
+
+#include "detect_features/detect.h"
+#include "detect_features/report.h"
+#include "options/Names.h"
+#include "output/Html_file.h"
+#include "output/Result_files.h"
+#include "output/Wanted_fields.h"
+#include "reading/Animation.h"
+#include "reading/Memory_plan.h"
+#include "reading/animation_report.h"
+#include "running/Interruption.h"
+#include "running/Monitor.h"
+#include "running/Stage_log.h"
+#include "running/Thread_limit.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+using namespace Programs;
+
+namespace Detect_features {
+
+namespace {
+
+Memory_plan memory_plan(const Run_options& o)
+{
+  return Memory_plan(o.memory, o.scratch_directory.empty() ? default_scratch_directory() : o.scratch_directory);
+}
+
+void tell(const std::string& text)
+{
+  std::cerr << text << std::flush;
+}
+
+// The animation and the features as writers of scenes take them.
+Shown_scene scene(const Reading_options& reading, const Animation& animation, const Detection& detection,
+                  const Wanted_fields& fields)
+{
+  std::filesystem::path first = reading.inputs.front();
+  if (!first.has_filename()) first = first.parent_path(); // of "frames/"
+  Shown_scene s{animation.sequence(), detection.features, {}, first.stem().string()};
+  for (const auto& f : fields.kept()) s.fields.push_back({name(f.kind), &f.values});
+  return s;
+}
+
+} // namespace
+
+void run(const Command_line& c)
+{
+  const Thread_limit thread_limit(c.run.threads);
+  Stage_log log;
+  log.begin("reading");
+  Memory_plan plan = memory_plan(c.run);
+  const Animation animation(c.reading, [&](std::size_t vertices, std::size_t frames) {
+    const std::string notice = html_notice(c.output, vertices, frames);
+    if (!c.run.quiet) tell(notice);
+    return plan.decide(vertices, frames, c.output.extra_fields());
+  });
+  log.end();
+  const Sequence& sequence = animation.sequence();
+  // now rather than after hours of computation
+  check_picture_frames(c.output.picture, sequence.number_of_frames());
+  if (c.run.verbose) tell(animation_report(c.reading, animation) + plan.report() + "\n");
+  const std::string notices = clip_notice(c.reading, animation) + counts_notice(sequence, c.method);
+  if (!c.run.quiet) tell(notices);
+
+  const Interruption interruption; // before there is anything to be left on a disk
+  Result_files files(c.output);
+  Wanted_fields fields(c.output, files, log);
+  Detection detection;
+  {
+    Monitor monitor(log, !c.run.quiet);
+    detection = detect(sequence, c.method, plan.level_memory(), fields, monitor);
+  }
+  Interruption::check();
+  {
+    const Stage_log::Scope stage(log, "writing");
+    files.write_features(detection.features, result_description(c.reading, c.method, animation, detection));
+    Interruption::check();
+    files.write_scenes(scene(c.reading, animation, detection, fields));
+    Interruption::check();
+    files.commit();
+  }
+  if (c.run.verbose) tell(detection_report(detection) + log.report());
+  if (!c.run.quiet) tell(summary(c.output, detection, log.total_seconds()));
+}
+
+} // namespace Detect_features

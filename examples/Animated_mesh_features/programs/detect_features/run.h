@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef DETECT_FEATURES_RUN_H
+#define DETECT_FEATURES_RUN_H
+
+#include "detect_features/Command_line.h"
+
+namespace Detect_features {
+
+// Reads the animation, finds its features and writes all files. Messages go to the standard error output.
+// throws Error.
+void run(const Command_line& command_line);
+
+} // namespace Detect_features
+
+#endif // DETECT_FEATURES_RUN_H

@@ -1,0 +1,231 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "output/Output_options.h"
+
+#include "options/Option_groups.h"
+#include "output/parse_picture_options.h"
+
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <optional>
+#include <set>
+
+using CGAL::Animated_mesh_features::Option_error;
+
+namespace Programs {
+
+namespace {
+
+// PREFIX:FILE, if the prefix is one of the names
+template <class Kind>
+std::optional<Requested_file<Kind>> prefixed_file(const std::string& text)
+{
+  for (const auto& n : names(Kind()))
+    if (text.compare(0, n.first.size() + 1, n.first + ":") == 0)
+      return Requested_file<Kind>{n.second, text.substr(n.first.size() + 1)};
+  return std::nullopt;
+}
+
+Requested_file<Format> requested_features(const std::string& text)
+{
+  if (text == "-") return {Format::JSON, text};
+  if (const auto forced = prefixed_file<Format>(text)) return *forced;
+  std::string ending = std::filesystem::path(text).extension().string();
+  for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+  for (const auto& n : names(Format()))
+    if (ending == "." + n.first) return {n.second, text};
+  throw Option_error("-o " + text + ": the format is not clear from the ending (.json, .csv, .ply); write -o json:" +
+                     text + ", for instance");
+}
+
+Requested_file<Field> requested_field(const std::string& text)
+{
+  if (const auto field = prefixed_file<Field>(text)) return *field;
+  throw Option_error("--write-field " + text + ": write strain:FILE, curvature:FILE or deformation:FILE");
+}
+
+void check_goes_with(const Argument& a, const Output_options& o, Scene_format format, const std::string& what)
+{
+  if (!o.has_scene(format))
+    throw Option_error(a.option() + " goes with --" + name(format) + ", the " + what + " that it is about");
+}
+
+void add_result_options(Option_group& group, Output_options& o)
+{
+  group.add_repeatable(
+      "output,o", "FILE",
+      "where to write the features, repeatable: .json, .csv or .ply by its ending; json:FILE, csv:FILE or "
+      "ply:FILE whatever its name; - for the standard output (default: JSON on the standard output, if no scene is "
+      "written either)",
+      [&](const Argument& a) { o.features.push_back(requested_features(a.text())); });
+  group.add_repeatable(
+      "write-field", "FIELD:FILE",
+      "also write strain, curvature (its absolute change from the rest shape) or deformation (strain + alpha "
+      "times curvature) of all N vertices in all F frames, repeatable: a NumPy file (.npy), N x F, float32",
+      [&](const Argument& a) { o.fields.push_back(requested_field(a.text())); });
+}
+
+void add_scene(Option_group& group, Output_options& o, Scene_format format, const std::string& value_name,
+               const std::string& description)
+{
+  group.add(name(format), value_name, description, [&o, format](const Argument& a) {
+    o.scenes.push_back({format, a.text()});
+  });
+}
+
+void add_scene_options(Option_group& group, Output_options& o)
+{
+  add_scene(
+      group, o, Scene_format::HTML, "FILE",
+      "a page for the browser, with everything in it: the moving surface, coloured by the deformation (and the fields "
+      "of --write-field), the features as spheres, a timeline and a table");
+  group.add("html-every", "N",
+            "take every N-th frame into the page, 1 for all of them (default: as many as leave 8 million positions)",
+            [&](const Argument& a) {
+              check_goes_with(a, o, Scene_format::HTML, "page");
+              o.html_frame_step = a.count();
+              if (o.html_frame_step == 0) throw Option_error("--html-every: at least 1, which takes all frames");
+            });
+  group.add("vtk", "DIR",
+            "a scene for ParaView: in the folder DIR, surface.pvd with strain, curvature and deformation, and "
+            "features.pvd with the features, each in the frames in which it lives",
+            [&](const Argument& a) {
+              if (a.text() == "-") throw Option_error("--vtk: a folder cannot go to the standard output");
+              o.scenes.push_back({Scene_format::VTK, a.text()});
+            });
+  add_scene(group, o, Scene_format::GLB, "FILE",
+            "a scene for Blender and other viewers of glTF: the moving surface, coloured by its deformation, with the "
+            "features as spheres that come and go");
+  add_scene(group, o, Scene_format::PLOT, "FILE",
+            "a plot (SVG) of the features over time, and of how many there are of which sigma and tau");
+}
+
+void request_picture(const Argument& a, Output_options& o)
+{
+#ifndef DETECT_FEATURES_WITH_PICTURES
+  throw Option_error("--png: this program was built without pictures: zlib was missing, or they were switched off");
+#endif
+  o.scenes.push_back({Scene_format::PNG, a.text()});
+}
+
+// Options of the picture, by what `parse` makes of them.
+template <class Parse>
+auto of_picture(Output_options& o, const Parse& parse)
+{
+  return [&o, parse](const Argument& a) {
+    check_goes_with(a, o, Scene_format::PNG, "picture");
+    parse(a, o.picture);
+  };
+}
+
+void add_picture_options(Option_group& group, Output_options& o)
+{
+  group.add("png", "FILE",
+            "a picture (PNG) of the surface, coloured by the deformation, with the features as spheres (radius sqrt(2) "
+            "sigma; blue: long, red: short), in the frames that --frame tells (default: those of the strongest "
+            "features, at most 6)",
+            [&](const Argument& a) { request_picture(a, o); });
+  group.add_repeatable(
+      "frame", "N",
+      "a frame to be shown in the picture, counted from 0; repeatable: several are shown beside each other",
+      of_picture(o, parse_picture_frame));
+  group.add("png-size", "WxH", "the size of the picture in pixels (default: 1600x1000)",
+            of_picture(o, parse_picture_size));
+  group.add("png-background", "RRGGBB", "its background, hexadecimal (default: ffffff, white)",
+            of_picture(o, parse_picture_background));
+  group.add("view", "AZIMUTH,ELEVATION",
+            "where the picture is taken from, in degrees: around the vertical axis, counterclockwise seen from above, "
+            "from +z if y points up and from +x if z does; above the horizon, -89 to 89 (default: obliquely from the "
+            "side on which the body is widest, and more of the strong features are seen, slightly from above)",
+            of_picture(o, parse_picture_view));
+  group.add("up", "AXIS",
+            "the axis that points up in the picture: x, y or z (default: y or z, on which the body stands)",
+            of_picture(o, parse_picture_up_axis));
+}
+
+} // namespace
+
+Names<Field> names(Field)
+{
+  return {{"strain", Field::STRAIN}, {"curvature", Field::CURVATURE}, {"deformation", Field::DEFORMATION}};
+}
+
+Names<Format> names(Format)
+{
+  return {{"json", Format::JSON}, {"csv", Format::CSV}, {"ply", Format::PLY}};
+}
+
+Names<Scene_format> names(Scene_format)
+{
+  return {{"html", Scene_format::HTML},
+          {"vtk", Scene_format::VTK},
+          {"glb", Scene_format::GLB},
+          {"plot", Scene_format::PLOT},
+          {"png", Scene_format::PNG}};
+}
+
+bool Output_options::is_written(Field field) const
+{
+  return std::any_of(fields.begin(), fields.end(), [&](const auto& f) { return f.kind == field; });
+}
+
+bool Output_options::is_shown(Field field) const
+{
+  // All scenes with a surface colour it by the deformation, and offer the others if they are there anyway.
+  const bool has_surface =
+      std::any_of(scenes.begin(), scenes.end(), [](const auto& s) { return s.kind != Scene_format::PLOT; });
+  if (field == Field::DEFORMATION) return has_surface;
+  const bool is_unused = field == Field::CURVATURE && !is_curvature_used;
+  const bool has_all_fields = has_scene(Scene_format::VTK) && !is_unused;
+  return has_all_fields || (has_surface && is_written(field));
+}
+
+std::size_t Output_options::extra_fields() const
+{
+  std::size_t n = 0;
+  for (const auto& field : names(Field())) n += is_written(field.second) || is_shown(field.second);
+  return n;
+}
+
+bool Output_options::has_scene(Scene_format format) const
+{
+  return std::any_of(scenes.begin(), scenes.end(), [&](const auto& s) { return s.kind == format; });
+}
+
+void add_output_options(Option_group& group, Output_options& o)
+{
+  add_result_options(group, o);
+  add_scene_options(group, o);
+  add_picture_options(group, o);
+  group.add("vertex-map", "FILE",
+            "also write which vertices of the file, by part, the vertices of the results are made of (CSV); models for "
+            "pictures split vertices at seams, and split ones are welded on reading",
+            [&](const Argument& a) { o.vertex_map = a.text(); });
+}
+
+void complete(Output_options& o)
+{
+  check_picture_options(o.picture);
+  // whoever asks for a scene does not ask for JSON on the standard output
+  if (o.features.empty() && o.scenes.empty()) o.features.push_back({Format::JSON, "-"});
+  std::set<std::string> paths;
+  const auto check = [&](const std::string& path) {
+    if (path.empty()) throw Option_error("an output file has no name");
+    if (paths.insert(path).second) return;
+    throw Option_error(path == "-" ? std::string("only one output can go to the standard output")
+                                   : "two outputs go to the same file, " + path);
+  };
+  for (const auto& f : o.features) check(f.path);
+  for (const auto& f : o.fields) check(f.path);
+  for (const auto& s : o.scenes) check(s.path);
+  if (!o.vertex_map.empty()) check(o.vertex_map);
+}
+
+} // namespace Programs

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "reading/Reading_options.h"
+
+#include "options/Option_groups.h"
+
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+
+using CGAL::Animated_mesh_features::Option_error;
+
+namespace Programs {
+
+namespace {
+
+void set_rest(const Argument& argument, Rest_choice& rest)
+{
+  const std::string frame = "frame:";
+  rest.text = argument.text();
+  rest.frame.reset();
+  if (rest.text.compare(0, frame.size(), frame) == 0)
+    rest.frame = Argument("--rest frame:N", rest.text.substr(frame.size())).count();
+  else if (rest.text != "average")
+    rest.file = rest.text;
+}
+
+void add_clip_options(Option_group& group, Reading_options& o)
+{
+  group.add(
+      "clip", "NAME",
+      "the clip of an animated model, or the sequence of an HDF5 file, by name, or by number from 0 (default: the "
+      "first; --verbose lists them)",
+      [&](const Argument& a) { o.clip = a.text(); });
+  group.add("frames", "N",
+            "equidistant frames to make of a clip, from its first to its last key (default: the keys' own rate, their "
+            "commonest step, refined by a whole number where that gives less than 48 frames or 24 in a second)",
+            [&](const Argument& a) { o.clip_frames = a.count(); });
+  group.add_switch(
+      "there-and-back", o.there_and_back,
+      "play the clip to its end and back again: a gesture that is stored one way only grows to its end, and "
+      "has no moment of its own that could be a feature");
+  group.add("faces", "NAME", "the dataset of triangles in an HDF5 file (default: faces)",
+            [&](const Argument& a) { o.faces_dataset = a.text(); });
+}
+
+} // namespace
+
+void add_reading_options(Option_group& group, Reading_options& o)
+{
+  group.add(
+      "fps", "R",
+      "frames in a second (default: as the times in an MDD file tell; for a clip see --frames; 60 for HDF5, as D-FAUST "
+      "has it; otherwise 30). A clip is sampled at this rate",
+      [&](const Argument& a) { o.frames_per_second = a.positive_number(); });
+  add_clip_options(group, o);
+  group.add("rest", "SHAPE",
+            "the undeformed shape: a mesh FILE of the same connectivity, frame:N counted from 0, or average, the "
+            "canonical shape of all frames (default: frame:0)",
+            [&](const Argument& a) { set_rest(a, o.rest); });
+  group.add_switch("rescale-rest", o.rest.rescale,
+                   "scale the rest FILE so that its median edge is as long as that of the frames");
+  group.add_switch("triangulate", o.triangulate, "cut faces with more than three corners into triangles");
+}
+
+void check(const Reading_options& o)
+{
+  if (o.inputs.empty())
+    throw Option_error(
+        "no input: give a mesh and a point cache, a folder, a mesh for each frame, or an animated model");
+  if (o.rest.rescale && o.rest.file.empty())
+    throw Option_error("--rescale-rest needs a rest shape from a file: --rest FILE");
+}
+
+std::string input_help()
+{
+  return R"(INPUT is one of
+  MESH CACHE    a mesh (.obj, .off, .ply, .stl) and a point cache (.pc2, .mdd) with the positions of its vertices
+  FOLDER        of meshes, one for each frame, in natural order: frame2.obj before frame10.obj
+  MESH MESH...  the frames themselves, in natural order whatever order they are given in
+  MODEL         an animated model: glTF 2.0 (.glb, .gltf) with skins, morph targets and moving nodes; FBX, Collada, X (.fbx,
+                .dae, .x) as well as assimp can read them (best effort: compare with what you expect)
+  SEQUENCE      an HDF5 file (.h5, .hdf5) as D-FAUST's: vertices x 3 x frames, and triangles x 3
+All frames have the same connectivity, a manifold of triangles, possibly with border. Results count vertices and frames
+from 0; lengths are in the unit of the input, times in seconds. "The diagonal" is that of the bounding box of the rest
+shape.
+)";
+}
+
+} // namespace Programs

@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROGRAMS_READING_READING_OPTIONS_H
+#define PROGRAMS_READING_READING_OPTIONS_H
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Programs {
+
+class Option_group;
+
+// The undeformed shape: a mesh file, or a frame, or else the average of all frames.
+struct Rest_choice
+{
+  std::string text = "frame:0";         // as it was given
+  std::string file;                     // empty: none
+  std::optional<std::size_t> frame = 0; // counted from 0
+  bool rescale = false;                 // scale the file so that its edges are as long as those of the frames
+};
+
+// Which animation is read, and as what.
+struct Reading_options
+{
+  std::vector<std::string> inputs; // files and folders, as input_help() tells
+  std::optional<double> frames_per_second;
+  bool triangulate = false; // cut faces with more than three corners
+
+  // of files with clips
+  std::string clip; // by name or number; empty: the first
+  std::optional<std::size_t> clip_frames;
+  bool there_and_back = false;
+  std::string faces_dataset; // of HDF5; empty: the usual one
+
+  Rest_choice rest;
+};
+
+// Adds the options; the inputs themselves are no options.
+void add_reading_options(Option_group& group, Reading_options& options);
+
+// To be called when all options are there.
+// throws Option_error if there is no input, or options do not go together.
+void check(const Reading_options& options);
+
+// What inputs may be: lines for the help text of a program.
+std::string input_help();
+
+} // namespace Programs
+
+#endif // PROGRAMS_READING_READING_OPTIONS_H

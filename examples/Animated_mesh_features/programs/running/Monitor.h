@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROGRAMS_RUNNING_MONITOR_H
+#define PROGRAMS_RUNNING_MONITOR_H
+
+#include "running/Progress_bar.h"
+#include "running/Stage_log.h"
+
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Stage.h>
+
+namespace Programs {
+
+// Watches a detection: a model of DetectionVisitor, which keeps the log, shows the progress and ends the detection when
+// the program is interrupted.
+class Monitor
+{
+public:
+  Monitor(Stage_log& log, bool show_progress);
+
+  void begin(CGAL::Animated_mesh_features::Stage stage);
+  bool progress(CGAL::Animated_mesh_features::Stage stage, double fraction);
+  void end(CGAL::Animated_mesh_features::Stage stage);
+
+  Stage_log& log() { return m_log; }
+
+private:
+  Stage_log& m_log;
+  Progress_bar m_bar;
+};
+
+} // namespace Programs
+
+#endif // PROGRAMS_RUNNING_MONITOR_H

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "running/Progress_bar.h"
+
+#ifdef _WIN32
+  #include <io.h>
+#else
+  #include <unistd.h>
+#endif
+
+#include <cstddef>
+#include <cstdio>
+
+namespace Programs {
+
+namespace {
+
+const char* const erase_rest = "\x1b[K"; // ECMA-48: erase to the end of the line
+
+bool stderr_is_terminal()
+{
+#ifdef _WIN32
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return isatty(fileno(stderr)) != 0;
+#endif
+}
+
+} // namespace
+
+Progress_bar::Progress_bar(bool wanted)
+  : m_is_shown(wanted && stderr_is_terminal())
+{}
+
+void Progress_bar::show(const std::string& what, double fraction)
+{
+  if (!m_is_shown) return;
+  const std::size_t width = 40, done = std::size_t(fraction * double(width));
+  const std::string line = "[" + std::string(done, '#') + std::string(width - done, ' ') + "] " +
+                           std::to_string(int(100 * fraction)) + " % " + what;
+  if (line == m_line) return;
+  std::fprintf(stderr, "\r%s%s", line.c_str(), erase_rest);
+  std::fflush(stderr);
+  m_line = line;
+}
+
+void Progress_bar::clear()
+{
+  if (m_line.empty()) return;
+  std::fprintf(stderr, "\r%s", erase_rest);
+  std::fflush(stderr);
+  m_line.clear();
+}
+
+} // namespace Programs
