@@ -7,7 +7,7 @@
 #include "output/Output_options.h"
 
 #include "options/Option_groups.h"
-#include "output/parse_picture_options.h"
+#include "output/add_picture_options.h"
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
@@ -51,12 +51,6 @@ Requested_file<Field> requested_field(const std::string& text)
   throw Option_error("--write-field " + text + ": write strain:FILE, curvature:FILE or deformation:FILE");
 }
 
-void check_goes_with(const Argument& a, const Output_options& o, Scene_format format, const std::string& what)
-{
-  if (!o.has_scene(format))
-    throw Option_error(a.option() + " goes with --" + name(format) + ", the " + what + " that it is about");
-}
-
 void add_result_options(Option_group& group, Output_options& o)
 {
   group.add_repeatable(
@@ -72,12 +66,31 @@ void add_result_options(Option_group& group, Output_options& o)
       [&](const Argument& a) { o.fields.push_back(requested_field(a.text())); });
 }
 
+void check_is_built([[maybe_unused]] Scene_format format)
+{
+#ifndef DETECT_FEATURES_WITH_PICTURES
+  if (format == Scene_format::PLOT || format == Scene_format::PNG)
+    throw Option_error("--" + name(format) +
+                       ": this program was built without pictures: cairo was missing, or switched off");
+#endif
+}
+
 void add_scene(Option_group& group, Output_options& o, Scene_format format, const std::string& value_name,
                const std::string& description)
 {
   group.add(name(format), value_name, description, [&o, format](const Argument& a) {
+    check_is_built(format);
+    if (format == Scene_format::VTK && a.text() == "-")
+      throw Option_error(a.option() + ": a folder cannot go to the standard output");
     o.scenes.push_back({format, a.text()});
   });
+}
+
+void set_html_frame_step(const Argument& a, Output_options& o)
+{
+  if (!o.has_scene(Scene_format::HTML)) throw Option_error(a.option() + " goes with --html, the page that it is about");
+  o.html_frame_step = a.count();
+  if (o.html_frame_step == 0) throw Option_error(a.option() + ": at least 1, which takes all frames");
 }
 
 void add_scene_options(Option_group& group, Output_options& o)
@@ -88,66 +101,21 @@ void add_scene_options(Option_group& group, Output_options& o)
       "of --write-field), the features as spheres, a timeline and a table");
   group.add("html-every", "N",
             "take every N-th frame into the page, 1 for all of them (default: as many as leave 8 million positions)",
-            [&](const Argument& a) {
-              check_goes_with(a, o, Scene_format::HTML, "page");
-              o.html_frame_step = a.count();
-              if (o.html_frame_step == 0) throw Option_error("--html-every: at least 1, which takes all frames");
-            });
-  group.add("vtk", "DIR",
+            [&](const Argument& a) { set_html_frame_step(a, o); });
+  add_scene(group, o, Scene_format::VTK, "DIR",
             "a scene for ParaView: in the folder DIR, surface.pvd with strain, curvature and deformation, and "
-            "features.pvd with the features, each in the frames in which it lives",
-            [&](const Argument& a) {
-              if (a.text() == "-") throw Option_error("--vtk: a folder cannot go to the standard output");
-              o.scenes.push_back({Scene_format::VTK, a.text()});
-            });
+            "features.pvd with the features, each in the frames in which it lives");
   add_scene(group, o, Scene_format::GLB, "FILE",
             "a scene for Blender and other viewers of glTF: the moving surface, coloured by its deformation, with the "
             "features as spheres that come and go");
-  add_scene(group, o, Scene_format::PLOT, "FILE",
-            "a plot (SVG) of the features over time, and of how many there are of which sigma and tau");
-}
-
-void request_picture(const Argument& a, Output_options& o)
-{
-#ifndef DETECT_FEATURES_WITH_PICTURES
-  throw Option_error("--png: this program was built without pictures: zlib was missing, or they were switched off");
-#endif
-  o.scenes.push_back({Scene_format::PNG, a.text()});
-}
-
-// Options of the picture, by what `parse` makes of them.
-template <class Parse>
-auto of_picture(Output_options& o, const Parse& parse)
-{
-  return [&o, parse](const Argument& a) {
-    check_goes_with(a, o, Scene_format::PNG, "picture");
-    parse(a, o.picture);
-  };
-}
-
-void add_picture_options(Option_group& group, Output_options& o)
-{
-  group.add("png", "FILE",
+  add_scene(
+      group, o, Scene_format::PLOT, "FILE",
+      "a plot of the features over time, and of how many there are of which sigma and tau: .svg, .pdf or .png by its "
+      "ending, SVG on the standard output");
+  add_scene(group, o, Scene_format::PNG, "FILE",
             "a picture (PNG) of the surface, coloured by the deformation, with the features as spheres (radius sqrt(2) "
             "sigma; blue: long, red: short), in the frames that --frame tells (default: those of the strongest "
-            "features, at most 6)",
-            [&](const Argument& a) { request_picture(a, o); });
-  group.add_repeatable(
-      "frame", "N",
-      "a frame to be shown in the picture, counted from 0; repeatable: several are shown beside each other",
-      of_picture(o, parse_picture_frame));
-  group.add("png-size", "WxH", "the size of the picture in pixels (default: 1600x1000)",
-            of_picture(o, parse_picture_size));
-  group.add("png-background", "RRGGBB", "its background, hexadecimal (default: ffffff, white)",
-            of_picture(o, parse_picture_background));
-  group.add("view", "AZIMUTH,ELEVATION",
-            "where the picture is taken from, in degrees: around the vertical axis, counterclockwise seen from above, "
-            "from +z if y points up and from +x if z does; above the horizon, -89 to 89 (default: obliquely from the "
-            "side on which the body is widest, and more of the strong features are seen, slightly from above)",
-            of_picture(o, parse_picture_view));
-  group.add("up", "AXIS",
-            "the axis that points up in the picture: x, y or z (default: y or z, on which the body stands)",
-            of_picture(o, parse_picture_up_axis));
+            "features, at most 6)");
 }
 
 } // namespace

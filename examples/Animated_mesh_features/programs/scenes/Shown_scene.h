@@ -7,23 +7,16 @@
 #ifndef PROGRAMS_SCENES_SHOWN_SCENE_H
 #define PROGRAMS_SCENES_SHOWN_SCENE_H
 
-#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
-#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
-#include <CGAL/Animated_mesh_features/Detection/Spatio_temporal_feature.h>
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include "reading/Sequence.h"
 
 #include <string>
 #include <vector>
 
 namespace Programs {
 
-typedef CGAL::Animated_mesh_features::Frame_sequence<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>,
-                                                     double>
-    Shown_sequence;
-typedef CGAL::Animated_mesh_features::Spatio_temporal_feature<Shown_sequence::vertex_descriptor> Shown_feature;
-typedef CGAL::Animated_mesh_features::Spatio_temporal_field<double> Shown_values; // N x F
+typedef Sequence Shown_sequence;
+typedef Feature Shown_feature;
+typedef Values Shown_values; // N x F
 
 // A field to be shown on the surface, under a name: "strain", "curvature", "deformation" or any other.
 struct Scene_field
