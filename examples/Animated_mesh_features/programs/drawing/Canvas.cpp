@@ -20,8 +20,8 @@
 #include <new>
 #include <utility>
 
-#if !CAIRO_HAS_PNG_FUNCTIONS
-  #error "this cairo was built without PNG"
+#if CAIRO_VERSION < CAIRO_VERSION_ENCODE(1, 16, 0) || !CAIRO_HAS_PNG_FUNCTIONS
+  #error "cairo 1.16 or newer is needed, with PNG"
 #endif
 
 namespace Programs {
