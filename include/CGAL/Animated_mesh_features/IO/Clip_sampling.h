@@ -31,7 +31,7 @@ The frames are equidistant, from the clip's first key to its last one, both incl
 of the keys themselves, the commonest one: animations that were recorded or baked get their own frames back. Where keys
 are sparse, since the curves between them say the rest, it is divided by the smallest whole number that gives at least
 `least_frames` frames and `least_frames_per_second`, so that keys are still met. At a rate of one's own, what is left
-behind the last whole frame is left out.
+after the last whole frame is left out.
 */
 struct Clip_sampling
 {

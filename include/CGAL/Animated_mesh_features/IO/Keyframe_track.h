@@ -21,7 +21,7 @@ namespace IO {
 
 A value that changes with time, given at keys: a translation, a rotation, a scale, or the weights of morph targets.
 
-Between keys it is interpolated as in the specification of glTF 2.0, Appendix C. Before the first key and behind the
+Between keys it is interpolated as in the specification of glTF 2.0, Appendix C. Before the first key and after the
 last one it is constant. Evaluation takes time logarithmic in the number of keys.
 */
 struct Keyframe_track

@@ -116,7 +116,7 @@ struct Keyframed_model
   std::vector<Node> nodes;          ///< in any order
   std::vector<Geometry> geometries; ///< each may be drawn several times
   std::vector<Skin> skins;          ///< each may move several parts
-  std::vector<Part> parts;          ///< their vertices, one part behind the other, are the file's
+  std::vector<Part> parts;          ///< their vertices, one part after the other, are the file's
   std::vector<Clip> clips;          ///< one of them is played
 
   /// what was left out, a sentence each: lines, for instance.

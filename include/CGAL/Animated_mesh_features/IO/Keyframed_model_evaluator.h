@@ -36,7 +36,7 @@ The model is kept by reference. An evaluator may be used by several threads at o
 class Keyframed_model_evaluator
 {
 public:
-  /// the positions of all vertices, those of each part behind those of the one before.
+  /// the positions of all vertices, those of each part after those of the one before.
   typedef std::vector<std::array<double, 3>> Points;
 
   /// checks a model and makes its tree of nodes ready to be evaluated.

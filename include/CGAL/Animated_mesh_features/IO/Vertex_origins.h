@@ -24,7 +24,7 @@ namespace IO {
 Which vertices of a file the vertices of an animation are made of.
 
 Formats for pictures split vertices where normals or textures jump, and models have several parts. The vertices of a
-file are counted from 0 through all of its parts, one part behind the other. Empty where vertices simply are those of
+file are counted from 0 through all of its parts, one part after the other. Empty where vertices simply are those of
 the file.
 */
 struct Vertex_origins

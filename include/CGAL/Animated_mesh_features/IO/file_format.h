@@ -93,8 +93,8 @@ inline File_format file_format_by_ending(const std::string& path)
 \ingroup PkgAnimatedMeshFeaturesReading
 
 the format of a file: what the ending of its name tells or, if that is none that is known, what its first bytes tell,
-which they do for binary glTF, binary FBX and HDF5. What is no regular file is `UNKNOWN`, so that nothing is taken out of a
-pipe.
+which they do for binary glTF, binary FBX and HDF5. What is no regular file is `UNKNOWN`, so that nothing is taken out
+of a pipe.
 
 \throws Input_error if the ending tells nothing and the file cannot be read.
 */

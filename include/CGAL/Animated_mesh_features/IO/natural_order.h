@@ -27,7 +27,7 @@ inline bool natural_order(std::string_view a, std::string_view b)
 {
   const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
   const auto byte = [](char c) { return static_cast<unsigned char>(c); };
-  // The number that starts at `i`, without leading zeros; `i` moves behind it.
+  // The number that starts at `i`, without leading zeros; `i` moves after it.
   const auto number = [&](std::string_view s, std::size_t& i) {
     while (i < s.size() && s[i] == '0') ++i;
     const std::size_t begin = i;

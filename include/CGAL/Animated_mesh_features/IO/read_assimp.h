@@ -138,7 +138,7 @@ private:
     return g;
   }
 
-  // The mesh's own node stands behind the bones, for vertices that no bone moves.
+  // The mesh's own node stands after the bones, for vertices that no bone moves.
   void add_skin(const aiMesh& mesh, std::size_t node, const std::string& name)
   {
     Keyframed_model::Skin skin;
@@ -198,7 +198,7 @@ private:
     add(Path::SCALE, from.mNumScalingKeys, from.mScalingKeys, append_vector);
   }
 
-  // The name is that of a node or of a mesh, for some formats with a number behind it.
+  // The name is that of a node or of a mesh, for some formats with a number after it.
   void add_weights(const aiMeshMorphAnim& from, double ticks, Keyframed_model::Clip& clip)
   {
     std::string name = from.mName.C_Str();

@@ -168,14 +168,15 @@ inline Feature_file_data read_json_text(const std::string& text, const std::stri
 /*!
 \ingroup PkgAnimatedMeshFeaturesReading
 
-reads features from JSON, as `write_json()` writes it: they are the same numbers, bit for bit, and `write_json()` makes
-the same bytes of them.
+reads features from JSON, as `write_json()` writes it: they are the same numbers, bit for bit, and `write_json()`
+makes the same bytes of them.
 
-- What follows from other members is not looked at: `radius` and `strength`. `Feature_point::refined_frame`, which is not
-  written, is `time` over the time between two frames.
+- What follows from other members is not looked at: `radius` and `strength`. `Feature_point::refined_frame`, which is
+  not written, is `time` over the time between two frames.
 - Members that are not known are ignored.
-- Numbers of parameters that are written without a point and without an exponent are `std::int64_t` if they fit, others
-  `double`; an empty array is one of numbers; `null` in an array of numbers stands for what is not finite and becomes NaN.
+- Numbers of parameters that are written without a point and without an exponent are `std::int64_t` if they fit,
+  others `double`; an empty array is one of numbers; `null` in an array of numbers stands for what is not finite and
+  becomes NaN.
 
 \param is a stream; read to its end.
 \param name the file for messages.

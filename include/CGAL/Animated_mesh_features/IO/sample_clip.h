@@ -12,10 +12,9 @@
 #include <CGAL/Animated_mesh_features/IO/Memory_chooser.h>
 #include <CGAL/Animated_mesh_features/IO/Coincident_vertices.h>
 #include <CGAL/Animated_mesh_features/IO/Keyframed_model.h>
-#include <CGAL/Animated_mesh_features/IO/Keyframed_model_evaluator.h>
 #include <CGAL/Animated_mesh_features/IO/Vertex_origins.h>
+#include <CGAL/Animated_mesh_features/IO/internal/Clip_frames.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Field_filler.h>
-#include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
 #include <CGAL/Animated_mesh_features/IO/weld_surface.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Thread_local.h>
@@ -78,11 +77,45 @@ inline std::vector<std::array<std::size_t, 3>> drawn_triangles(const Keyframed_m
   return triangles;
 }
 
-inline void check_finite(const Keyframed_model_evaluator::Points& points, const std::string& name)
+inline Vertex_origins vertex_origins(const Keyframed_model& model, Welded_surface& surface)
 {
-  for (std::size_t v = 0; v < points.size(); ++v)
-    for (double x : points[v])
-      if (!is_finite(x)) throw Input_error(name + ": the position of vertex " + std::to_string(v) + " is not finite");
+  Vertex_origins origins;
+  std::size_t first_of_part = 0;
+  for (const Keyframed_model::Part& part : model.parts) {
+    const std::size_t size = model.geometries[part.geometry].points.size();
+    origins.parts.push_back({part.name, first_of_part, size});
+    first_of_part += size;
+  }
+  origins.first = std::move(surface.first);
+  origins.file_vertices = std::move(surface.file_vertices);
+  return origins;
+}
+
+// Fills the coordinates of `data`, which has its surface already; `source` has a vertex of the file for each vertex.
+template <class ConcurrencyTag, class FT>
+void fill_frames(const Clip_frames& frames, const std::vector<std::size_t>& source,
+                 const std::shared_ptr<Field_memory>& memory, Animation_file_data<FT>& data)
+{
+  const std::size_t n = source.size();
+  const std::array<Spatio_temporal_field<FT>*, 3> fields = {{&data.x, &data.y, &data.z}};
+  resize_fields(n, data.frames, fields, memory);
+  Field_filler<FT, ConcurrencyTag> filler(fields);
+  struct Frame_memory
+  {
+    Clip_frames::Points points, welded;
+  };
+  Animated_mesh_features::internal::Thread_local<Frame_memory> memories;
+  for (std::size_t first = 0, last; first < data.frames; first = last) {
+    last = filler.end_of_batch();
+    parallel_for<ConcurrencyTag>(first, last, [&](std::size_t f) {
+      Frame_memory& m = memories.get([] { return std::make_unique<Frame_memory>(); });
+      frames.get(f, m.points);
+      m.welded.resize(n);
+      for (std::size_t v = 0; v < n; ++v) m.welded[v] = m.points[source[v]];
+      filler.put(f, m.welded[0].data(), frames.name(f));
+    });
+    filler.finish_batch();
+  }
 }
 
 } // namespace internal
@@ -109,68 +142,31 @@ template <class FT, class ConcurrencyTag = CGAL::Parallel_if_available_tag>
 Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sampling& sampling,
                                     const std::string& file, const Memory_chooser& choose_memory = Memory_chooser())
 {
-  typedef Keyframed_model_evaluator::Points Points;
-
   Animation_file_data<FT> data;
   data.sources = {file};
   data.clips = clip_names(model);
   data.clip = find_clip(data.clips, sampling.clip, file);
-  const Keyframed_model::Clip& clip = model.clips[data.clip];
-  const std::vector<double> times = frame_times(clip, sampling, file);
-  data.frames = times.size();
-  for (std::size_t f = 0; f < data.frames; ++f) data.times.push_back(double(f) * (times[1] - times[0]));
-  const Keyframed_model_evaluator evaluate(model, data.clip, file);
-  const auto name = [&](std::size_t f) { return file + ", clip \"" + clip.name + "\", frame " + std::to_string(f); };
+  const internal::Clip_frames frames(model, data.clip, sampling, file);
+  data.frames = frames.size();
+  data.times = frames.times();
 
-  const std::size_t file_vertices = model.number_of_vertices();
-  Coincident_vertices coincident(file_vertices);
-  Points points, first_points;
-  for (std::size_t f = 0; f < times.size() && !(f > 0 && coincident.all_apart()); ++f) {
-    evaluate(times[f], points);
-    internal::check_finite(points, name(f));
-    coincident.add_frame(points);
-    if (f == 0) first_points = points;
-  }
+  internal::Clip_frames::Points first_points;
+  const Coincident_vertices coincident =
+      internal::coincident_vertices(frames, model.number_of_vertices(), first_points);
   Welded_surface surface =
-      weld_surface(internal::drawn_triangles(model, evaluate.mirrored_parts(times[0])), coincident.first_of_class());
+      weld_surface(internal::drawn_triangles(model, frames.mirrored_parts()), coincident.first_of_class());
   if (surface.triangles.empty()) throw Input_error(file + ": holds no triangles");
   data.remarks = model.remarks;
-  for (std::string& remark : internal::welding_remarks(surface, file_vertices))
+  for (std::string& remark : internal::welding_remarks(surface, model.number_of_vertices()))
     data.remarks.push_back(std::move(remark));
 
-  const std::size_t n = surface.number_of_vertices();
-  std::size_t first_of_part = 0;
-  for (const Keyframed_model::Part& part : model.parts) {
-    const std::size_t size = model.geometries[part.geometry].points.size();
-    data.origins.parts.push_back({part.name, first_of_part, size});
-    first_of_part += size;
-  }
-  data.origins.first = std::move(surface.first);
-  data.origins.file_vertices = std::move(surface.file_vertices);
   data.mesh.triangles = std::move(surface.triangles);
-  std::vector<std::size_t> source(n);
+  data.origins = internal::vertex_origins(model, surface);
+  const std::size_t n = data.origins.number_of_vertices();
+  std::vector<std::size_t> source(n); // the first of those of the file
   for (std::size_t v = 0; v < n; ++v) source[v] = data.origins.file_vertices[data.origins.first[v]];
   for (std::size_t v : source) data.mesh.points.push_back(first_points[v]);
-
-  const std::array<Spatio_temporal_field<FT>*, 3> fields = {{&data.x, &data.y, &data.z}};
-  internal::resize_fields(n, data.frames, fields, internal::chosen_memory(choose_memory, n, data.frames));
-  internal::Field_filler<FT, ConcurrencyTag> filler(fields);
-  struct Frame_memory
-  {
-    Points points, welded;
-  };
-  Animated_mesh_features::internal::Thread_local<Frame_memory> memories;
-  for (std::size_t first = 0, last; first < data.frames; first = last) {
-    last = filler.end_of_batch();
-    parallel_for<ConcurrencyTag>(first, last, [&](std::size_t f) {
-      Frame_memory& m = memories.get([] { return std::make_unique<Frame_memory>(); });
-      evaluate(times[f], m.points);
-      m.welded.resize(n);
-      for (std::size_t v = 0; v < n; ++v) m.welded[v] = m.points[source[v]];
-      filler.put(f, m.welded[0].data(), name(f));
-    });
-    filler.finish_batch();
-  }
+  internal::fill_frames<ConcurrencyTag>(frames, source, internal::chosen_memory(choose_memory, n, data.frames), data);
   return data;
 }
 

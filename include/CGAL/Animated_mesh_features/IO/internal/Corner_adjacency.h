@@ -90,12 +90,12 @@ private:
           e = other; // on the border
           continue;
         }
-        const auto behind = other + 1;
-        if (behind != last && behind->larger_vertex == e->larger_vertex) return false;
+        const auto third = other + 1;
+        if (third != last && third->larger_vertex == e->larger_vertex) return false;
         if (vertex(e->corner) == vertex(other->corner)) return false;
         m_twins[e->corner] = other->corner;
         m_twins[other->corner] = e->corner;
-        e = behind;
+        e = third;
       }
       first = last;
     }

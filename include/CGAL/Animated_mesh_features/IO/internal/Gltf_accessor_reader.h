@@ -36,7 +36,7 @@ public:
     , m_check(check)
   {}
 
-  // The elements of an accessor one behind the other, `width` numbers each. `use` says what for, for messages.
+  // The elements of an accessor one after the other, `width` numbers each. `use` says what for, for messages.
   std::vector<double> read(int index, std::size_t width, const std::string& use) const
   {
     const tinygltf::Accessor& a = accessor(index, use);

@@ -62,7 +62,7 @@ public:
   // Moves to the start of the next line.
   void next_line()
   {
-    if (m_p != m_end && *m_p == '\n') { // all of the line was read; a continued one goes on behind its end
+    if (m_p != m_end && *m_p == '\n') { // all of the line was read; a continued one goes on after its end
       ++m_p;
       ++m_line;
       return;
@@ -123,7 +123,7 @@ public:
     return x;
   }
 
-  // An integer; behind it may stand `separator` and more text, which is skipped ('\0': nothing may).
+  // An integer; after it may stand `separator` and more text, which is skipped ('\0': nothing may).
   long long integer(const char* what, char separator = '\0')
   {
     long long i = 0;

@@ -45,7 +45,7 @@ struct Directed_edge
   throw Input_error(name + ": " + message);
 }
 
-// The edges of all triangles, those that belong together one behind the other.
+// The edges of all triangles, those that belong together one after the other.
 inline std::vector<Directed_edge> sorted_edges(const Indexed_mesh& mesh, const std::string& name)
 {
   std::vector<Directed_edge> edges;

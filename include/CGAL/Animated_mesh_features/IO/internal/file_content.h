@@ -62,7 +62,7 @@ inline std::size_t read_bytes(std::FILE* file, char* bytes, std::size_t size, co
 }
 
 // Reads `size` bytes at `offset`, from any thread, leaving the position of the file where it is. `false` if they cannot
-// be read in this way: on systems without it, from pipes, behind the end of the file, or if reading fails; whoever
+// be read in this way: on systems without it, from pipes, after the end of the file, or if reading fails; whoever
 // reads the file from its start will find out why.
 //
 // This is how large files are read in pieces. Mapping them into memory takes as long, but a mapped file that shrinks

@@ -43,7 +43,7 @@ inline bool is_finite(double x)
   return (bits & 0x7ff0000000000000u) != 0x7ff0000000000000u;
 }
 
-// Reads the digits at `p`, moves `p` behind them and appends them to the decimal number `m`, modulo 2^64.
+// Reads the digits at `p`, moves `p` after them and appends them to the decimal number `m`, modulo 2^64.
 inline std::size_t parse_digits(const char*& p, const char* end, std::uint64_t& m)
 {
   const char* const begin = p;
@@ -56,9 +56,9 @@ inline std::size_t parse_digits(const char*& p, const char* end, std::uint64_t& 
 }
 
 // What nearly all coordinates are: few digits and no exponent. If the digits without their point are an integer that a
-// double holds, and the power of ten behind the point is such a one too, a single division rounds correctly (W. D.
-// Clinger, How to read floating point numbers accurately, PLDI 1990). `false`, with `p` unmoved, if it is something
-// else, which may be a number all the same.
+// double holds, and the power of ten of the digits after the point is such a one too, a single division rounds correctly
+// (W. D. Clinger, How to read floating point numbers accurately, PLDI 1990). `false`, with `p` unmoved, if it is
+// something else, which may be a number all the same.
 inline bool parse_plain_decimal(const char*& p, const char* end, double& x)
 {
 #if defined(FLT_EVAL_METHOD) && (FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1)
@@ -125,7 +125,7 @@ inline bool parse_any_number(const char*& p, const char* end, double& x)
   return true;
 }
 
-// Reads a number that starts at `p` and moves `p` behind it; `false`, with `p` unmoved, if none starts there.
+// Reads a number that starts at `p` and moves `p` after it; `false`, with `p` unmoved, if none starts there.
 // "nan", "inf" and what exceeds the range of a double are numbers too: the caller says which vertex is not finite.
 inline bool parse_number(const char*& p, const char* end, double& x)
 {

@@ -28,7 +28,7 @@ inline std::size_t off_count(Text_scanner& in, const char* what)
   return static_cast<std::size_t>(n);
 }
 
-// OFF in ASCII with the prefixes ST, C and N; texture coordinates, colours and normals, which stand behind the
+// OFF in ASCII with the prefixes ST, C and N; texture coordinates, colours and normals, which stand after the
 // position, are skipped with the rest of the line.
 //
 // CGAL::IO::read_OFF() says neither where nor why it fails, trusts the counts of the header, and reads numbers in the

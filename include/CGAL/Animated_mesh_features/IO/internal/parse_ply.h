@@ -22,7 +22,7 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-// The values behind the header, one after the other. Every PLY type fits a double exactly.
+// The values after the header, one after the other. Every PLY type fits a double exactly.
 class Ply_values
 {
 public:

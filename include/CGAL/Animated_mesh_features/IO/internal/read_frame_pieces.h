@@ -29,7 +29,7 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-// Frames in single precision, one behind the other from `offset` to the end of a file, vertex by vertex.
+// Frames in single precision, one after the other from `offset` to the end of a file, vertex by vertex.
 struct Frames_in_file
 {
   std::FILE* file;
