@@ -210,9 +210,10 @@ int main(int argc, char* argv[])
         "CHOLMOD " +
             std::to_string(CHOLMOD_MAIN_VERSION) + "." + std::to_string(CHOLMOD_SUB_VERSION) + "." +
             std::to_string(CHOLMOD_SUBSUB_VERSION) + ", supernodal, double (it has no float), with " + blas() +
-            ". Same bits: of the solution, as with one thread, which features need, and on any processor besides. "
-            "Difference: the largest, from the first row's solution, relative to the largest value. CHOLMOD would "
-            "replace the package's own if it took at most 1.3 times as long and always computed the same bits.",
+            ". Same bits: whether the solution has those of one thread; features must not depend on the number of "
+            "threads, nor on the processor. Difference: the largest, from the first row's solution, relative to the "
+            "largest value. CHOLMOD would replace the package's own if it took at most 1.3 times as long and always "
+            "computed the same bits.",
         {"mesh", "N", "solver", "threads", "entries / N", "order ms", "factor ms", "100 solves ms",
          "factor / package, double", "solves / package, double", "same bits", "difference"});
     const auto add = [&](const std::string& name, const Mesh& mesh) {
