@@ -82,7 +82,7 @@ AMF::IO::Animation_file_data<double> read_model_file(const Reading_options& o, M
   AMF::IO::check_readable(file);
   if (format == Model_format::GLTF) {
 #ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
-    return AMF::IO::sample_clip<double>(AMF::IO::read_gltf(file), sampling(c), file, choose_memory);
+    return AMF::IO::sample_clip<double>(AMF::IO::read_gltf(file), sampling(o), file, choose_memory);
 #else
     throw_without(file, "tinygltf", "GLTF");
 #endif
@@ -90,7 +90,7 @@ AMF::IO::Animation_file_data<double> read_model_file(const Reading_options& o, M
   if (format == Model_format::ASSIMP) {
 #ifdef ANIMATED_MESH_FEATURES_WITH_ASSIMP
     AMF::IO::Animation_file_data<double> data =
-        AMF::IO::sample_clip<double>(AMF::IO::read_assimp(file), sampling(c), file, choose_memory);
+        AMF::IO::sample_clip<double>(AMF::IO::read_assimp(file), sampling(o), file, choose_memory);
     data.remarks.insert(data.remarks.begin(), "read through assimp, best effort: compare with what you expect");
     return data;
 #else
