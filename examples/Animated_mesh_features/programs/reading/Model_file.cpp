@@ -45,7 +45,7 @@ Model_format model_format(AMF::IO::File_format format)
   }
 }
 
-AMF::IO::Clip_sampling sampling(const Reading_options& o)
+[[maybe_unused]] AMF::IO::Clip_sampling sampling(const Reading_options& o)
 {
   AMF::IO::Clip_sampling s;
   s.clip = o.clip;
