@@ -1,4 +1,5 @@
-# Headers, the package files for find_package(), and the command-line programs (component "programs").
+# Headers, the package files for find_package(), the compiled library if there is one, and the command-line programs
+# (component "programs").
 
 include(CMakePackageConfigHelpers)
 
@@ -10,6 +11,16 @@ install(EXPORT Animated_mesh_features_targets
   NAMESPACE Animated_mesh_features::
   DESTINATION "${package_folder}"
   COMPONENT development)
+if(ANIMATED_MESH_FEATURES_BUILD_COMPILED)
+  install(TARGETS Animated_mesh_features_compiled EXPORT Animated_mesh_features_compiled_targets
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    COMPONENT development)
+  install(EXPORT Animated_mesh_features_compiled_targets
+    FILE Animated_mesh_features_compiled_targets.cmake
+    NAMESPACE Animated_mesh_features::
+    DESTINATION "${package_folder}"
+    COMPONENT development)
+endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/"
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
   COMPONENT development
@@ -20,11 +31,16 @@ configure_package_config_file(
   "${PROJECT_BINARY_DIR}/Animated_mesh_featuresConfig.cmake"
   INSTALL_DESTINATION "${package_folder}"
   NO_SET_AND_CHECK_MACRO)
+if(ANIMATED_MESH_FEATURES_BUILD_COMPILED)
+  set(independent "") # of the processor
+else()
+  set(independent ARCH_INDEPENDENT)
+endif()
 # Before version 1.0 a minor version may change an interface.
 write_basic_package_version_file(
   "${PROJECT_BINARY_DIR}/Animated_mesh_featuresConfigVersion.cmake"
   COMPATIBILITY SameMinorVersion
-  ARCH_INDEPENDENT)
+  ${independent})
 install(FILES
   "${PROJECT_BINARY_DIR}/Animated_mesh_featuresConfig.cmake"
   "${PROJECT_BINARY_DIR}/Animated_mesh_featuresConfigVersion.cmake"

@@ -19,6 +19,11 @@
   #error "CGAL is not told of Eigen"
 #endif
 
+// Whether instances are declared and not made: without the library they would not link.
+#if defined(EXPECT_COMPILED) != defined(CGAL_ANIMATED_MESH_FEATURES_COMPILED)
+  #error "the compiled library is used where it should not be, or not used where it should"
+#endif
+
 typedef CGAL::Simple_cartesian<double> Kernel;
 typedef CGAL::Surface_mesh<Kernel::Point_3> Mesh;
 typedef CGAL::Animated_mesh_features::Frame_sequence<Mesh> Frame_sequence;

@@ -1,8 +1,9 @@
 # Configures, builds and runs the consumer in the current folder.
 #
-# WAY: find_package, add_subdirectory or FetchContent; SOURCE_DIR, BINARY_DIR: the package's; the others: as the package's
-# own build has them. With find_package the package is installed first; the consumer is configured with it there, and once
-# more, and built, after it was moved to another folder.
+# WAY: find_package, compiled, add_subdirectory or FetchContent; SOURCE_DIR, BINARY_DIR: the package's; the others: as the
+# package's own build has them. With find_package the package is installed first; the consumer is configured with it there,
+# and once more, and built, after it was moved to another folder. With compiled, the compiled library is built and installed
+# first.
 
 foreach(variable IN ITEMS WAY SOURCE_DIR BINARY_DIR GENERATOR CXX_COMPILER VERSION)
   if(NOT DEFINED ${variable})
@@ -19,7 +20,7 @@ function(run)
 endfunction()
 
 set(folder "${CMAKE_CURRENT_BINARY_DIR}")
-file(REMOVE_RECURSE "${folder}/build" "${folder}/installed" "${folder}/moved here")
+file(REMOVE_RECURSE "${folder}/build" "${folder}/library" "${folder}/installed" "${folder}/moved here")
 unset(ENV{DESTDIR})
 
 set(options
@@ -48,6 +49,15 @@ if(WAY STREQUAL "find_package")
   file(REMOVE_RECURSE "${folder}/build")
   file(RENAME "${folder}/installed" "${folder}/moved here")
   configure("-DCMAKE_PREFIX_PATH=${folder}/moved here" "-DINSTALLED=${folder}/moved here")
+elseif(WAY STREQUAL "compiled")
+  # As one unit and without optimisation: that is compiled most quickly.
+  run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}" -B "${folder}/library" -G "${GENERATOR}" ${options}
+    -DCMAKE_BUILD_TYPE=Debug -DCMAKE_CXX_FLAGS_DEBUG= -DCMAKE_UNITY_BUILD=ON
+    -DANIMATED_MESH_FEATURES_BUILD_COMPILED=ON -DANIMATED_MESH_FEATURES_BUILD_TESTS=OFF
+    -DANIMATED_MESH_FEATURES_BUILD_EXAMPLES=OFF)
+  run("${CMAKE_COMMAND}" --build "${folder}/library" --target Animated_mesh_features_compiled)
+  run("${CMAKE_COMMAND}" --install "${folder}/library" --prefix "${folder}/installed" --component development)
+  configure("-DCMAKE_PREFIX_PATH=${folder}/installed")
 else()
   configure("-DSOURCE_DIR=${SOURCE_DIR}")
 endif()

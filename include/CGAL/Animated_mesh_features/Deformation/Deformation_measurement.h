@@ -17,7 +17,7 @@
 #include <CGAL/Animated_mesh_features/Deformation/internal/strain_fields.h>
 #include <CGAL/Animated_mesh_features/Geodesic_balls/geodesic_balls.h>
 #include <CGAL/Animated_mesh_features/Numerics/Compressed_rows.h>
-#include <CGAL/Animated_mesh_features/Numerics/parallel/Default_visitor.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Stage_scope.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
 
@@ -48,8 +48,7 @@ Time: linear in `N F`, plus the geodesic balls. Memory: that of the fields that 
 
 \sa `Feature_detector`, the second stage
 */
-template <class Animation,
-          class Options = Deformation_options<>,
+template <class Animation, class Options = Deformation_options<>,
           class ConcurrencyTag = CGAL::Parallel_if_available_tag>
 class Deformation_measurement
 {
@@ -65,8 +64,7 @@ public:
   explicit Deformation_measurement(const Animation& animation, Options options = Options())
     : m_sequence(as_frame_sequence(animation))
     , m_options(std::move(options))
-  {
-  }
+  {}
 
   /// what is measured.
   const Frame_sequence<typename Animation::Triangle_mesh, FT>& sequence() const { return m_sequence; }
@@ -75,27 +73,25 @@ public:
   const Options& options() const { return m_options; }
 
   /// \name Fields
-  /// computed at the first call. The visitor is a model of `DetectionVisitor`.
+  /// computed at the first call. A visitor is a model of `DetectionVisitor`, by default one that does nothing.
   /// \throw Option_error if the radius of the balls is negative or not finite.
   /// \throw Numerical_error if a matrix cannot be factored.
   /// \throw Cancelled if the visitor asks for it.
   /// @{
 
   /// `N x F` strains.
-  template <class Visitor>
-  const Field& strain(Visitor& visitor)
+  const Field& strain(Any_visitor visitor = Any_visitor())
   {
     if (!m_strain) m_strain = strain_field(visitor);
     return *m_strain;
   }
 
   /// `N x F` absolute changes of curvature from the rest shape.
-  template <class Visitor>
-  const Field& curvature_change(Visitor& visitor)
+  const Field& curvature_change(Any_visitor visitor = Any_visitor())
   {
     if (!m_curvature_change) {
       const Compressed_rows& balls = geodesic_balls(visitor);
-      const internal::Stage_scope<Visitor> stage(visitor, Stage::CURVATURE);
+      const internal::Stage_scope stage(visitor, Stage::CURVATURE);
       m_curvature_change = internal::curvature_change_rows(shape(), sequence().trajectories(), balls,
                                                            m_options.curvature, loop(visitor, Stage::CURVATURE));
     }
@@ -103,16 +99,14 @@ public:
   }
 
   /// `N x F` deformations, in which features are found.
-  template <class Visitor>
-  const Field& deformation(Visitor& visitor)
+  const Field& deformation(Any_visitor visitor = Any_visitor())
   {
     if (!m_deformation) m_deformation = sum(visitor);
     return *m_deformation;
   }
 
   /// the same, handed over: the measurement does not keep it.
-  template <class Visitor>
-  Field take_deformation(Visitor& visitor)
+  Field take_deformation(Any_visitor visitor = Any_visitor())
   {
     if (!m_deformation) return sum(visitor);
     Field field = std::move(*m_deformation);
@@ -121,22 +115,16 @@ public:
   }
 
   /// the ball of each vertex on the rest shape.
-  template <class Visitor>
-  const Compressed_rows& geodesic_balls(Visitor& visitor)
+  const Compressed_rows& geodesic_balls(Any_visitor visitor = Any_visitor())
   {
     if (!m_balls) {
-      const internal::Stage_scope<Visitor> stage(visitor, Stage::GEODESIC_BALLS);
+      const internal::Stage_scope stage(visitor, Stage::GEODESIC_BALLS);
       m_balls = Animated_mesh_features::geodesic_balls(shape(), m_options.ball_radius, m_options.balls,
                                                        loop(visitor, Stage::GEODESIC_BALLS));
     }
     return *m_balls;
   }
 
-  const Field& strain() { return strain(m_default_visitor); }                       ///< the same without a visitor
-  const Field& curvature_change() { return curvature_change(m_default_visitor); }   ///< the same without a visitor
-  const Field& deformation() { return deformation(m_default_visitor); }             ///< the same without a visitor
-  Field take_deformation() { return take_deformation(m_default_visitor); }          ///< the same without a visitor
-  const Compressed_rows& geodesic_balls() { return geodesic_balls(m_default_visitor); } ///< the same without a visitor
   /// @}
 
   /// the strength up to which a feature of the deformation may be an error that stems from the coordinates, because they
@@ -144,31 +132,27 @@ public:
   double noise() const { return internal::deformation_noise(shape(), sequence().trajectories()); }
 
 private:
+  typedef Task_loop<ConcurrencyTag, Any_visitor> Loop;
+
   const Rest_shape& shape() const { return sequence().rest_shape(); }
 
-  template <class Visitor>
-  static Task_loop<ConcurrencyTag, Visitor> loop(Visitor& visitor, Stage stage)
-  {
-    return Task_loop<ConcurrencyTag, Visitor>(visitor, stage);
-  }
+  static Loop loop(Any_visitor& visitor, Stage stage) { return Loop(visitor, stage); }
 
-  template <class Visitor>
-  Field strain_field(Visitor& visitor) const
+  Field strain_field(Any_visitor visitor) const
   {
-    const internal::Stage_scope<Visitor> stage(visitor, Stage::STRAIN);
+    const internal::Stage_scope stage(visitor, Stage::STRAIN);
     return internal::vertex_strain_rows(shape(), sequence().trajectories(), m_options.strain,
                                         m_options.triangle_weights, loop(visitor, Stage::STRAIN));
   }
 
-  template <class Visitor>
-  Field sum(Visitor& visitor)
+  Field sum(Any_visitor visitor)
   {
     if (m_options.alpha == 0) return m_strain ? *m_strain : strain_field(visitor); // spares the balls
     if (m_curvature_change)
       return Animated_mesh_features::deformation(strain(visitor), *m_curvature_change, m_options.alpha);
     const Compressed_rows& balls = geodesic_balls(visitor);
     Field field = m_strain ? *m_strain : strain_field(visitor);
-    const internal::Stage_scope<Visitor> stage(visitor, Stage::CURVATURE);
+    const internal::Stage_scope stage(visitor, Stage::CURVATURE);
     internal::add_curvature_change(shape(), sequence().trajectories(), balls, m_options.curvature, m_options.alpha,
                                    loop(visitor, Stage::CURVATURE), field);
     return field;
@@ -176,7 +160,6 @@ private:
 
   Sequence_or_reference m_sequence;
   Options m_options;
-  Default_visitor m_default_visitor;
   std::optional<Compressed_rows> m_balls;
   std::optional<Field> m_strain, m_curvature_change, m_deformation;
 };

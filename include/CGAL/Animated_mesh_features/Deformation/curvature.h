@@ -12,7 +12,7 @@
 #include <CGAL/Animated_mesh_features/Deformation/Curvature_measures.h>
 #include <CGAL/Animated_mesh_features/Deformation/internal/curvature_rows.h>
 #include <CGAL/Animated_mesh_features/Numerics/Compressed_rows.h>
-#include <CGAL/Animated_mesh_features/Numerics/parallel/Default_visitor.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
 
 #include <CGAL/tags.h>
@@ -43,9 +43,9 @@ Spatio_temporal_field<FT> curvature(const Frame_sequence<TriangleMesh, FT>& anim
                                     const Compressed_rows& balls,
                                     const CurvatureMeasure& measure = CurvatureMeasure())
 {
-  Default_visitor visitor;
+  Any_visitor visitor;
   return internal::curvature_rows(animation.rest_shape(), animation.trajectories(), balls, measure,
-                                  Task_loop<ConcurrencyTag, Default_visitor>(visitor, Stage::CURVATURE));
+                                  Task_loop<ConcurrencyTag, Any_visitor>(visitor, Stage::CURVATURE));
 }
 
 /*!
@@ -69,10 +69,10 @@ Spatio_temporal_field<FT> curvature_change(const Frame_sequence<TriangleMesh, FT
                                            const Compressed_rows& balls,
                                            const CurvatureMeasure& measure = CurvatureMeasure())
 {
-  Default_visitor visitor;
+  Any_visitor visitor;
   return internal::curvature_change_rows(
       animation.rest_shape(), animation.trajectories(), balls, measure,
-      Task_loop<ConcurrencyTag, Default_visitor>(visitor, Stage::CURVATURE));
+      Task_loop<ConcurrencyTag, Any_visitor>(visitor, Stage::CURVATURE));
 }
 
 } // namespace Animated_mesh_features

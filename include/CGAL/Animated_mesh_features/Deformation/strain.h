@@ -12,7 +12,7 @@
 #include <CGAL/Animated_mesh_features/Deformation/Strain_measures.h>
 #include <CGAL/Animated_mesh_features/Deformation/Triangle_weights.h>
 #include <CGAL/Animated_mesh_features/Deformation/internal/strain_fields.h>
-#include <CGAL/Animated_mesh_features/Numerics/parallel/Default_visitor.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
 
 #include <CGAL/tags.h>
@@ -42,9 +42,9 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag,
 Spatio_temporal_field<FT> triangle_strain(const Frame_sequence<TriangleMesh, FT>& animation,
                                           const StrainMeasure& measure = StrainMeasure())
 {
-  Default_visitor visitor;
+  Any_visitor visitor;
   return internal::triangle_strain_rows(animation.rest_shape(), animation.trajectories(), measure,
-                                        Task_loop<ConcurrencyTag, Default_visitor>(visitor, Stage::STRAIN));
+                                        Task_loop<ConcurrencyTag, Any_visitor>(visitor, Stage::STRAIN));
 }
 
 /*!
@@ -69,9 +69,9 @@ Spatio_temporal_field<FT> strain(const Frame_sequence<TriangleMesh, FT>& animati
                                  const StrainMeasure& measure = StrainMeasure(),
                                  Triangle_weights weights = Triangle_weights::REST_AREA)
 {
-  Default_visitor visitor;
+  Any_visitor visitor;
   return internal::vertex_strain_rows(animation.rest_shape(), animation.trajectories(), measure, weights,
-                                      Task_loop<ConcurrencyTag, Default_visitor>(visitor, Stage::STRAIN));
+                                      Task_loop<ConcurrencyTag, Any_visitor>(visitor, Stage::STRAIN));
 }
 
 } // namespace Animated_mesh_features

@@ -17,7 +17,7 @@
 #include <CGAL/Animated_mesh_features/Extrema/Extremum_options.h>
 #include <CGAL/Animated_mesh_features/Extrema/find_response_extrema.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
-#include <CGAL/Animated_mesh_features/Numerics/parallel/Default_visitor.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
 
 #include <CGAL/tags.h>
 
@@ -97,27 +97,19 @@ public:
   Time and memory: those of `find_response_extrema()` at the first call, then linear in the number of minima.
 
   \param out an output iterator of `Feature`.
-  \param visitor a model of `DetectionVisitor`.
+  \param visitor a model of `DetectionVisitor`, by default one that does nothing.
   \throw Option_error if a threshold is out of its range, or the sampling finds no levels. Nothing is written if an
     exception is thrown.
   \throw Numerical_error if a matrix cannot be factored.
   \throw Cancelled if the visitor asks for it.
   */
-  template <class OutputIterator, class Visitor>
-  OutputIterator operator()(OutputIterator out, Visitor& visitor)
+  template <class OutputIterator>
+  OutputIterator operator()(OutputIterator out, Any_visitor visitor = Any_visitor())
   {
     m_selection.check();
     if (!m_minima) find_minima(visitor);
     const std::vector<Feature> selected = internal::selected_features(*m_shape, *m_minima, m_selection);
     return std::copy(selected.begin(), selected.end(), out);
-  }
-
-  /// the same without a visitor.
-  template <class OutputIterator>
-  OutputIterator operator()(OutputIterator out)
-  {
-    Default_visitor visitor;
-    return operator()(out, visitor);
   }
 
   /// the number of minima of the response, before thresholds and suppression, but above the noise and the rounding errors
@@ -131,8 +123,7 @@ public:
   /// @}
 
 private:
-  template <class Visitor>
-  void find_minima(Visitor& visitor)
+  void find_minima(Any_visitor visitor)
   {
     Response_extrema found =
         find_response_extrema<ConcurrencyTag>(*m_shape, m_field, m_frame_duration, m_options, m_noise, visitor);

@@ -16,7 +16,7 @@
 #include <CGAL/Animated_mesh_features/Extrema/internal/Scale_space_engine.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/refine_extremum.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
-#include <CGAL/Animated_mesh_features/Numerics/parallel/Default_visitor.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Stage_scope.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
 #include <CGAL/Animated_mesh_features/Scale_space/Scale_levels.h>
@@ -68,8 +68,7 @@ Response_extremum refined(const Extremum& e, const Rest_shape& shape, const Scal
   r.sigma = interpolated_scale(sigma(e.k - 1), sigma(e.k), sigma(e.k + 1), scales.space_level);
   r.tau = interpolated_scale(tau[e.l - 1], tau[e.l], tau[e.l + 1], scales.time_level);
   r.response = scales.response;
-  r.at_scale_limit =
-      is_outermost(e.k, result.sigma_levels.size()) || is_outermost(e.l, result.tau_levels.size());
+  r.at_scale_limit = is_outermost(e.k, result.sigma_levels.size()) || is_outermost(e.l, result.tau_levels.size());
   return r;
 }
 
@@ -87,39 +86,37 @@ see `Extremum_options::level_memory`; levels live where the field does.
 
 \tparam ConcurrencyTag `CGAL::Parallel_if_available_tag` or `CGAL::Sequential_tag`. The result is the same, bit for bit.
 \tparam FT `float` or `double`; the smoothing is in double precision.
-\tparam Options an `Extremum_options`.
-\tparam Visitor a model of `DetectionVisitor`.
+\tparam SpatialFilter, TemporalFilter, ScaleSampling, SpaceTimeResponse, ExtremumSearch see `Extremum_options`.
 
 \param shape the surface at rest.
 \param field `N x F`, rows in the order of the shape's vertices.
 \param frame_duration the time between two frames (s).
 \param options a policy for each step.
 \param noise responses that are at most that strong count as errors of the field.
-\param visitor is told of the progress and may cancel.
+\param visitor is told of the progress and may cancel; a model of `DetectionVisitor`, by default one that does nothing.
 
 \throw Option_error if the field has another shape, the sampling finds too few levels, or what the policies throw.
 \throw Input_error if a value of the field is not finite.
 \throw Numerical_error if a matrix cannot be factored.
 \throw Cancelled if the visitor asks for it.
 */
-template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class FT, class Options, class Visitor>
-Response_extrema find_response_extrema(const Rest_shape& shape,
-                                       const Spatio_temporal_field<FT>& field,
-                                       double frame_duration,
-                                       Options options,
-                                       double noise,
-                                       Visitor& visitor)
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class FT, class SpatialFilter, class TemporalFilter,
+          class ScaleSampling, class SpaceTimeResponse, class ExtremumSearch>
+Response_extrema find_response_extrema(
+    const Rest_shape& shape, const Spatio_temporal_field<FT>& field, double frame_duration,
+    Extremum_options<SpatialFilter, TemporalFilter, ScaleSampling, SpaceTimeResponse, ExtremumSearch> options,
+    double noise = 0, Any_visitor visitor = Any_visitor())
 {
-  typedef typename Options::SpaceTimeResponse Response;
+  typedef SpaceTimeResponse Response;
   internal::check_field(field, shape.number_of_vertices());
   const std::size_t frames = field.number_of_frames();
   const Scale_levels levels =
       options.sampling(shape, frames, frame_duration, options.spatial_filter, options.temporal_filter);
   internal::check_number_of_levels<Response>(levels);
   {
-    const internal::Stage_scope<Visitor> stage(visitor, Stage::SCALE_SPACE);
+    const internal::Stage_scope stage(visitor, Stage::SCALE_SPACE);
     // a range of no length, so that the fraction is 0 until there are levels
-    const Task_loop<ConcurrencyTag, Visitor> preparation(visitor, Stage::SCALE_SPACE, 0, 0);
+    const Task_loop<ConcurrencyTag, Any_visitor> preparation(visitor, Stage::SCALE_SPACE, 0, 0);
     options.spatial_filter.initialize(shape, levels.space_variances, preparation);
   }
   options.temporal_filter.initialize(frames, frame_duration, levels.time_variances);
@@ -130,7 +127,7 @@ Response_extrema find_response_extrema(const Rest_shape& shape,
     result.tau_levels.push_back(levels.tau_factor * std::sqrt(options.temporal_filter.variance(l)));
   options.response.initialize(result.sigma_levels, result.tau_levels, levels);
 
-  internal::Scale_space_engine<typename Options::TemporalFilter, Response, typename Options::ExtremumSearch> engine(
+  internal::Scale_space_engine<TemporalFilter, Response, ExtremumSearch> engine(
       shape, frames, result.sigma_levels.size(), result.tau_levels.size(), options.temporal_filter, options.response,
       options.search);
   const std::size_t level_size = Spatio_temporal_field<double>::size_in_bytes(shape.number_of_vertices(), frames);
@@ -145,5 +142,9 @@ Response_extrema find_response_extrema(const Rest_shape& shape,
 
 } // namespace Animated_mesh_features
 } // namespace CGAL
+
+#ifdef CGAL_ANIMATED_MESH_FEATURES_COMPILED
+  #include <CGAL/Animated_mesh_features/Extrema/internal/instances.h>
+#endif
 
 #endif // CGAL_ANIMATED_MESH_FEATURES_EXTREMA_FIND_RESPONSE_EXTREMA_H

@@ -68,23 +68,32 @@ struct Heat_method_geodesic_balls
   \param loop runs tasks, see `GeodesicBalls`.
   */
   template <class Loop>
-  Compressed_rows operator()(const Rest_shape& shape, double radius, const Loop& loop) const
-  {
-    const double margin = patch_margin * shape.mean_edge_length();
-    const double reach = cluster_radius * (radius + margin);
-    const Compressed_rows clusters = internal::Vertex_clusters(shape, reach).rows();
-    std::vector<internal::Cluster_balls> balls(clusters.size());
-    internal::Thread_local<internal::Cluster_ball_finder> finders;
-    loop(clusters.size(), [&](std::size_t c) {
-      internal::Cluster_ball_finder& find = finders.get(
-          [&] { return std::make_unique<internal::Cluster_ball_finder>(shape, radius, margin, 2 * reach); });
-      balls[c] = find(clusters[c]);
-    });
-    return internal::Cluster_balls::rows(balls, shape.number_of_vertices());
-  }
+  Compressed_rows operator()(const Rest_shape& shape, double radius, const Loop& loop) const;
 };
+
+// Outside of the class: a function that is defined within it is compiled wherever it is used, also where it is had
+// compiled.
+template <class Loop>
+Compressed_rows Heat_method_geodesic_balls::operator()(const Rest_shape& shape, double radius, const Loop& loop) const
+{
+  const double margin = patch_margin * shape.mean_edge_length();
+  const double reach = cluster_radius * (radius + margin);
+  const Compressed_rows clusters = internal::Vertex_clusters(shape, reach).rows();
+  std::vector<internal::Cluster_balls> balls(clusters.size());
+  internal::Thread_local<internal::Cluster_ball_finder> finders;
+  loop(clusters.size(), [&](std::size_t c) {
+    internal::Cluster_ball_finder& find =
+        finders.get([&] { return std::make_unique<internal::Cluster_ball_finder>(shape, radius, margin, 2 * reach); });
+    balls[c] = find(clusters[c]);
+  });
+  return internal::Cluster_balls::rows(balls, shape.number_of_vertices());
+}
 
 } // namespace Animated_mesh_features
 } // namespace CGAL
+
+#ifdef CGAL_ANIMATED_MESH_FEATURES_COMPILED
+  #include <CGAL/Animated_mesh_features/Geodesic_balls/internal/instances.h>
+#endif
 
 #endif // CGAL_ANIMATED_MESH_FEATURES_GEODESIC_BALLS_HEAT_METHOD_GEODESIC_BALLS_H

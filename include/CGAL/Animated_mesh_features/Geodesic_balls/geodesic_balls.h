@@ -12,7 +12,7 @@
 #include <CGAL/Animated_mesh_features/Geodesic_balls/default_ball_radius.h>
 #include <CGAL/Animated_mesh_features/Numerics/Compressed_rows.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
-#include <CGAL/Animated_mesh_features/Numerics/parallel/Default_visitor.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
 
 #include <CGAL/tags.h>
@@ -56,9 +56,9 @@ template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class Geodesic
 Compressed_rows
 geodesic_balls(const Rest_shape& shape, double radius = 0, const GeodesicBalls& policy = GeodesicBalls())
 {
-  Default_visitor visitor;
+  Any_visitor visitor;
   return geodesic_balls(shape, radius, policy,
-                        Task_loop<ConcurrencyTag, Default_visitor>(visitor, Stage::GEODESIC_BALLS));
+                        Task_loop<ConcurrencyTag, Any_visitor>(visitor, Stage::GEODESIC_BALLS));
 }
 
 } // namespace Animated_mesh_features

@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/Extrema/Extremum_search.h>
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Stage.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Stage_scope.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Difference_cascade.h>
@@ -86,8 +87,8 @@ public:
 
   void set_instruction_set(Instruction_set instructions) { m_instructions = instructions; }
 
-  template <class ConcurrencyTag, class FT, class SpatialFilter, class Visitor>
-  std::vector<Extremum> run(const Spatio_temporal_field<FT>& field, SpatialFilter& spatial, Visitor& visitor)
+  template <class ConcurrencyTag, class FT, class SpatialFilter>
+  std::vector<Extremum> run(const Spatio_temporal_field<FT>& field, SpatialFilter& spatial, Any_visitor visitor)
   {
     const Level_weights weights(m_response, m_space_levels, m_time_levels, largest_value(field),
                                 m_least_response);
@@ -130,17 +131,17 @@ private:
     return result;
   }
 
-  template <class ConcurrencyTag, class FT, class SpatialFilter, class Visitor, class MakeDetector>
+  template <class ConcurrencyTag, class FT, class SpatialFilter, class MakeDetector>
   std::vector<Extremum> run_batches(const Spatio_temporal_field<FT>& field,
                                     SpatialFilter& spatial,
-                                    Visitor& visitor,
+                                    Any_visitor& visitor,
                                     const Level_weights& weights,
                                     Temporal_weights<TemporalFilter>& temporal_weights,
                                     std::size_t fitting,
                                     const MakeDetector& make_detector)
   {
-    const Task_loop<ConcurrencyTag, Visitor> smooth_loop(visitor, Stage::SCALE_SPACE);
-    const Task_loop<ConcurrencyTag, Visitor> search_loop(visitor, Stage::EXTREMA);
+    const Task_loop<ConcurrencyTag, Any_visitor> smooth_loop(visitor, Stage::SCALE_SPACE);
+    const Task_loop<ConcurrencyTag, Any_visitor> search_loop(visitor, Stage::EXTREMA);
     // D exists for k in [below, space_levels - above), an extremum has a D on either side.
     const std::size_t first = below + 1, last = m_space_levels - above - 1; // [first, last)
     const std::size_t largest = (std::max)(std::size_t(1), (std::min)(fitting, m_largest_batch));
@@ -156,7 +157,7 @@ private:
       batch.first = first + i * (last - first) / batches; // as equal as they can be: the last one costs as much
       batch.last = first + (i + 1) * (last - first) / batches;
       {
-        const Stage_scope<Visitor> stage(visitor, Stage::SCALE_SPACE);
+        const Stage_scope stage(visitor, Stage::SCALE_SPACE);
         for (; smoothed < batch.last_level(); ++smoothed) {
           batch.levels[smoothed] = new_level(field, unused);
           const auto loop = smooth_loop.part(smoothed, m_space_levels);
@@ -169,7 +170,7 @@ private:
         }
       }
       {
-        const Stage_scope<Visitor> stage(visitor, Stage::EXTREMA);
+        const Stage_scope stage(visitor, Stage::EXTREMA);
         search(batch, weights, make_detector(batch), search_loop.part(i, batches), temporal_weights, extrema);
       }
       // the next batch begins at batch.last

@@ -57,14 +57,7 @@ public:
                                                            time_levels, instructions);
   }
 
-  void operator()(std::size_t first_vertex, std::size_t last_vertex, std::vector<Candidate>& candidates) const
-  {
-    std::vector<std::size_t> unclear;
-    Vector_loop loop = {*this, first_vertex, last_vertex, candidates, unclear};
-    run_vectorized<T>(m_instructions, loop);
-    if constexpr (!is_precise)
-      for (std::size_t v : unclear) (*m_precise)(v, v + 1, candidates);
-  }
+  void operator()(std::size_t first_vertex, std::size_t last_vertex, std::vector<Candidate>& candidates) const;
 
 private:
   struct Vector_loop
@@ -128,6 +121,19 @@ private:
   Instruction_set m_instructions;
   std::shared_ptr<const Precise_detector> m_precise;
 };
+
+// Outside of the class: a function that is defined within it is compiled wherever it is used, also where it is had
+// compiled.
+template <class Cascade>
+void Vectorized_candidate_detector<Cascade>::operator()(std::size_t first_vertex, std::size_t last_vertex,
+                                                        std::vector<Candidate>& candidates) const
+{
+  std::vector<std::size_t> unclear;
+  Vector_loop loop = {*this, first_vertex, last_vertex, candidates, unclear};
+  run_vectorized<T>(m_instructions, loop);
+  if constexpr (!is_precise)
+    for (std::size_t v : unclear) (*m_precise)(v, v + 1, candidates);
+}
 
 } // namespace internal
 } // namespace Animated_mesh_features

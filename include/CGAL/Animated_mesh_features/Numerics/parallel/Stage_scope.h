@@ -7,6 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_NUMERICS_PARALLEL_STAGE_SCOPE_H
 #define CGAL_ANIMATED_MESH_FEATURES_NUMERICS_PARALLEL_STAGE_SCOPE_H
 
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Stage.h>
 
 namespace CGAL {
@@ -15,17 +16,16 @@ namespace Animated_mesh_features {
 namespace internal {
 
 // begin() and end() of a stage around a scope.
-template <class Visitor>
 class Stage_scope
 {
 public:
-  Stage_scope(Visitor& visitor, Stage stage) : m_visitor(visitor), m_stage(stage) { m_visitor.begin(stage); }
+  Stage_scope(const Any_visitor& visitor, Stage stage) : m_visitor(visitor), m_stage(stage) { m_visitor.begin(stage); }
   ~Stage_scope() { m_visitor.end(m_stage); }
   Stage_scope(const Stage_scope&) = delete;
   Stage_scope& operator=(const Stage_scope&) = delete;
 
 private:
-  Visitor& m_visitor;
+  Any_visitor m_visitor;
   Stage m_stage;
 };
 

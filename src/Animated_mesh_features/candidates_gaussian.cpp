@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <CGAL/Animated_mesh_features/Extrema/find_response_extrema.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/instances.h>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace internal {
+
+CGAL_ANIMATED_MESH_FEATURES_DETECTOR_INSTANCE(Difference_cascade<Gaussian_temporal_filter>);
+CGAL_ANIMATED_MESH_FEATURES_DETECTOR_INSTANCE(Level_cascade<float, Gaussian_temporal_filter>);
+CGAL_ANIMATED_MESH_FEATURES_DETECTOR_INSTANCE(Level_cascade<double, Gaussian_temporal_filter>);
+
+} // namespace internal
+} // namespace Animated_mesh_features
+} // namespace CGAL
