@@ -24,7 +24,7 @@ endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/"
   DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
   COMPONENT development
-  FILES_MATCHING PATTERN "*.h")
+  FILES_MATCHING PATTERN "*.h" PATTERN "*.inl")
 
 configure_package_config_file(
   "${PROJECT_SOURCE_DIR}/cmake/Animated_mesh_featuresConfig.cmake.in"

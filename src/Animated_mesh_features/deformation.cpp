@@ -4,7 +4,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <CGAL/Animated_mesh_features/Deformation/internal/instances.h>
+#include <CGAL/Animated_mesh_features/Deformation/internal/curvature_rows.h>
+#include <CGAL/Animated_mesh_features/Deformation/internal/strain_fields.h>
+#include <CGAL/Animated_mesh_features/Deformation/internal/curvature_instances.inl>
+#include <CGAL/Animated_mesh_features/Deformation/internal/strain_instances.inl>
 
 namespace CGAL {
 namespace Animated_mesh_features {

@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Animated_mesh_features/Extrema/find_response_extrema.h>
-#include <CGAL/Animated_mesh_features/Extrema/internal/instances.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/instances.inl>
 
 namespace CGAL {
 namespace Animated_mesh_features {

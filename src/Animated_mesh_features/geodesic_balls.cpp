@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <CGAL/Animated_mesh_features/Geodesic_balls/Heat_method_geodesic_balls.h>
-#include <CGAL/Animated_mesh_features/Geodesic_balls/internal/instances.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/internal/instances.inl>
 
 namespace CGAL {
 namespace Animated_mesh_features {

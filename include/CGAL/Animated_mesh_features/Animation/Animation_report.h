@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 What is unusual about a mesh and nevertheless allowed. Each of it is handled: a degenerate rest triangle has no
 strain and is left out of its vertices' means; components and borders end the smoothing and the geodesic balls; an
@@ -31,7 +31,7 @@ struct Animation_report
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 A rest triangle is degenerate if its height over its longest edge is below this fraction of that edge: its inverse,
 and with it every strain, would have lost half of the digits of a `double`.
@@ -39,7 +39,7 @@ and with it every strain, would have lost half of the digits of a `double`.
 constexpr double degenerate_height_ratio = 1e-8;
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 whether the `t`-th triangle of the rest shape is degenerate; see `degenerate_height_ratio`.
 */
@@ -54,7 +54,7 @@ inline bool is_degenerate(const Rest_shape& shape, std::size_t t)
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 counts what is unusual about a mesh in its rest shape. Linear in the size of the mesh.
 */

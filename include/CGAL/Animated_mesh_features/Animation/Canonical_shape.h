@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 The shape that an animation deforms about: the surface whose edge lengths and dihedral angles are, as closely as a
 surface can have them, the averages over all frames (arithmetic means of lengths, circular means of angles).
@@ -94,7 +94,7 @@ std::vector<Rest_shape::Point> canonical_shape(const Rest_shape& connectivity, c
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 takes the canonical shape of all frames as rest shape of an animation.
 \throw Numerical_error if the surface cannot be rebuilt.

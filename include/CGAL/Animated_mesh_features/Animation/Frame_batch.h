@@ -19,7 +19,7 @@
 namespace CGAL {
 namespace Animated_mesh_features {
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 Turns frames that come vertex by vertex into fields whose rows are vertices. A frame alone would touch a cache line of
 every row for one number; frames are therefore gathered, some at once, before they are transposed. Those of a batch may be

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 The positions of all vertices in one frame: a view of `Vertex_trajectories`, valid as long as these. Positions are read
 from rows of frames, one number of a cache line each; whoever needs those of several frames goes vertex by vertex, through

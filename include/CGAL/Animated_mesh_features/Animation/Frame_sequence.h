@@ -37,7 +37,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 What `Frame_sequence::set_rest_shape()` does with a rest mesh whose edges are much longer or shorter than those of the
 frames, as happens when the two come in different units.
@@ -50,7 +50,7 @@ enum class Rest_unit
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 An animation held in memory: one connectivity, `F` frames, and a rest shape. Model of `MeshAnimation`.
 

@@ -55,7 +55,7 @@ std::size_t number_of_sides(const Halfedge& h, const TriangleMesh& mesh)
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 The undeformed surface in the form in which the policies (geodesic balls, spatial filters) see it: triangles, edges
 and neighbours by index, points in double precision. Vertex `i` is the `i`-th element of `vertices(mesh)`, triangle

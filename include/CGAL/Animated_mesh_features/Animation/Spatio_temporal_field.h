@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 An `N x F` array of scalars: a value for each of `N` simplices (vertices, sometimes faces) and each of `F` frames.
 

@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 The positions of all vertices in all frames, in the form in which measures and writers see them: no descriptors, no
 property maps; the coordinates of a vertex contiguous over the frames.

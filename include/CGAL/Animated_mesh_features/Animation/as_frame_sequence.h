@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 converts any model of `MeshAnimation` to a `Frame_sequence`, the form in which measures read an animation. Its points are
 read once, through its point maps, in `O(N F)` time and memory; the model vouches for the unit of its rest shape.
@@ -43,7 +43,7 @@ as_frame_sequence(const Animation& animation, const std::shared_ptr<Field_memory
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 returns the sequence itself: for code that takes any model of `MeshAnimation`.
 */

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 One frame of a field as a readable property map from the mesh's own descriptors to scalars. Valid as long as the
 field.
@@ -55,7 +55,7 @@ private:
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 makes the property map of one frame of a vertex field; both this and `get()` take constant time.
 

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 the largest absolute value of a field; 0 for an empty one. `O(N F)`.
 */

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 makes the rest shape of a mesh that need not move: for features of a field of your own there is no need of an animation,
 see `Feature_detector`. Vertices are numbered by their rank in `vertices(mesh)`, as the rows of the field have to be.
@@ -50,7 +50,7 @@ Rest_shape rest_shape_of_mesh(const TriangleMesh& mesh, const VertexPointMap& po
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesAnimation
 
 the same with the mesh's own points, `get(CGAL::vertex_point, mesh)`.
 */

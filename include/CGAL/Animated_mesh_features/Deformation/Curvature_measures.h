@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesMeasures
+\ingroup PkgAnimatedMeshFeaturesDeformation
 
 How much of an edge or a triangle lies in a geodesic ball, which is known by its vertices.
 */

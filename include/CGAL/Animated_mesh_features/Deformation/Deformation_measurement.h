@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesMeasures
+\ingroup PkgAnimatedMeshFeaturesDeformation
 
 The first stage of a detection: an animation in, fields out. Measures strain, change of curvature, and their sum
 

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesMeasures
+\ingroup PkgAnimatedMeshFeaturesDeformation
 
 What the measurement of a deformation can be told: a policy for each step, and numbers.
 

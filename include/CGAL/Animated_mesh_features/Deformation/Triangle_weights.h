@@ -11,7 +11,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesMeasures
+\ingroup PkgAnimatedMeshFeaturesDeformation
 
 How the strains of the triangles around a vertex are averaged.
 */

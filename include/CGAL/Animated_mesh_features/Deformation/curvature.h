@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesMeasures
+\ingroup PkgAnimatedMeshFeaturesDeformation
 
 computes the curvature at every vertex in every frame, over geodesic balls of the rest shape.
 
@@ -49,7 +49,7 @@ Spatio_temporal_field<FT> curvature(const Frame_sequence<TriangleMesh, FT>& anim
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesMeasures
+\ingroup PkgAnimatedMeshFeaturesDeformation
 
 computes \f$|\kappa(v, f) - \kappa(v, \mathrm{rest})|\f$ at every vertex in every frame; see `curvature()`.
 

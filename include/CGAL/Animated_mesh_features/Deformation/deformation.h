@@ -14,14 +14,14 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesMeasures
+\ingroup PkgAnimatedMeshFeaturesDeformation
 
 The weight \f$\alpha\f$ of the change of curvature against strain, as in the paper \cgalCite{mykhalchuk2014}.
 */
 constexpr double default_curvature_weight = 7;
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesMeasures
+\ingroup PkgAnimatedMeshFeaturesDeformation
 
 adds up the deformation \f$d(v,f) = \mathrm{strain}(v,f) + \alpha\,|\kappa(v,f) - \kappa(v,\mathrm{rest})|\f$.
 

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesMeasures
+\ingroup PkgAnimatedMeshFeaturesDeformation
 
 computes the strain of every triangle in every frame with respect to the rest shape.
 
@@ -48,7 +48,7 @@ Spatio_temporal_field<FT> triangle_strain(const Frame_sequence<TriangleMesh, FT>
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesMeasures
+\ingroup PkgAnimatedMeshFeaturesDeformation
 
 computes the strain at every vertex in every frame: the weighted mean of the strains of the triangles around it.
 Triangles that are degenerate at rest are left out; a vertex without others has strain 0. Linear in triangles x frames.

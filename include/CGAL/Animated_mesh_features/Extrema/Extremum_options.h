@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesScaleSpace
+\ingroup PkgAnimatedMeshFeaturesExtrema
 
 What a search for extrema in the scale space of a field can be told: a policy for each step.
 

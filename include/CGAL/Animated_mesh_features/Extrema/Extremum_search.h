@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesScaleSpace
+\ingroup PkgAnimatedMeshFeaturesExtrema
 
 The responses at one vertex around a sample: at its own and the neighbouring space levels, time levels and frames.
 
@@ -40,7 +40,7 @@ private:
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesScaleSpace
+\ingroup PkgAnimatedMeshFeaturesExtrema
 
 Strict local minima of a negative response; a model of `ExtremumSearch`.
 

@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesScaleSpace
+\ingroup PkgAnimatedMeshFeaturesExtrema
 
 An extremum of the response, refined between the samples: where, when and at which scales. Lengths are in the unit of the
 rest shape, times in seconds from the first frame.
@@ -36,7 +36,7 @@ struct Response_extremum
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesScaleSpace
+\ingroup PkgAnimatedMeshFeaturesExtrema
 
 What `find_response_extrema()` returns.
 */

@@ -75,7 +75,7 @@ Response_extremum refined(const Extremum& e, const Rest_shape& shape, const Scal
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesScaleSpace
+\ingroup PkgAnimatedMeshFeaturesExtrema
 
 finds the extrema of the response over the scale space of a field: a field and a rest shape in, refined extrema out. The
 field may be a deformation or anything else that lives on a surface in time; features are made of these extrema by
@@ -144,7 +144,7 @@ Response_extrema find_response_extrema(
 } // namespace CGAL
 
 #ifdef CGAL_ANIMATED_MESH_FEATURES_COMPILED
-  #include <CGAL/Animated_mesh_features/Extrema/internal/instances.h>
+  #include <CGAL/Animated_mesh_features/Extrema/internal/instances.inl>
 #endif
 
 #endif // CGAL_ANIMATED_MESH_FEATURES_EXTREMA_FIND_RESPONSE_EXTREMA_H

@@ -93,7 +93,7 @@ Compressed_rows Heat_method_geodesic_balls::operator()(const Rest_shape& shape, 
 } // namespace CGAL
 
 #ifdef CGAL_ANIMATED_MESH_FEATURES_COMPILED
-  #include <CGAL/Animated_mesh_features/Geodesic_balls/internal/instances.h>
+  #include <CGAL/Animated_mesh_features/Geodesic_balls/internal/instances.inl>
 #endif
 
 #endif // CGAL_ANIMATED_MESH_FEATURES_GEODESIC_BALLS_HEAT_METHOD_GEODESIC_BALLS_H

@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesData
+\ingroup PkgAnimatedMeshFeaturesNumerics
 
 Rows of indices of varying length, stored one after the other: the neighbours of each vertex, the vertices in each
 geodesic ball. Memory: `8 (rows + 1) + 4 entries` bytes.

@@ -313,7 +313,7 @@ Spatio_temporal_field<FT> curvature_change_rows(const Rest_shape& shape, const V
 } // namespace CGAL
 
 #ifdef CGAL_ANIMATED_MESH_FEATURES_COMPILED
-  #include <CGAL/Animated_mesh_features/Deformation/internal/instances.h>
+  #include <CGAL/Animated_mesh_features/Deformation/internal/curvature_instances.inl>
 #endif
 
 #endif // CGAL_ANIMATED_MESH_FEATURES_DEFORMATION_INTERNAL_CURVATURE_ROWS_H

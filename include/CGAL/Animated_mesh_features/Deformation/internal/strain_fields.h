@@ -98,7 +98,7 @@ Spatio_temporal_field<FT> vertex_strain_rows(const Rest_shape& shape,
 } // namespace CGAL
 
 #ifdef CGAL_ANIMATED_MESH_FEATURES_COMPILED
-  #include <CGAL/Animated_mesh_features/Deformation/internal/instances.h>
+  #include <CGAL/Animated_mesh_features/Deformation/internal/strain_instances.inl>
 #endif
 
 #endif // CGAL_ANIMATED_MESH_FEATURES_DEFORMATION_INTERNAL_STRAIN_FIELDS_H

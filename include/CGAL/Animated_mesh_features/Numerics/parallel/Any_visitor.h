@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesDetection
+\ingroup PkgAnimatedMeshFeaturesTasks
 
 A reference to a visitor of whatever type: what a detection is compiled for, so that it is compiled once for all visitors.
 It is told of something some hundred times in a detection, which costs nothing.

@@ -13,7 +13,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesDetection
+\ingroup PkgAnimatedMeshFeaturesTasks
 
 The visitor that does nothing: a model of `DetectionVisitor`, to derive from or to imitate.
 

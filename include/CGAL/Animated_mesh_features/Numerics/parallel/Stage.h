@@ -11,7 +11,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesDetection
+\ingroup PkgAnimatedMeshFeaturesTasks
 
 The stages of a detection. A detection begins with `GEODESIC_BALLS`, `STRAIN` and `CURVATURE` - in this order, if nobody
 asks for one of the fields before -, each of them once and only if it is needed; what follows is told at
@@ -27,7 +27,7 @@ enum class Stage
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesDetection
+\ingroup PkgAnimatedMeshFeaturesTasks
 
 the name of a stage, for messages.
 */

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesDetection
+\ingroup PkgAnimatedMeshFeaturesTasks
 
 The loop in which policies run their tasks: a share of a stage, which knows on how many threads to run them and whom to
 tell. Between its own tasks the calling thread - no other - tells the visitor how far the stage is, some 30 times a share.

@@ -21,7 +21,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesDetection
+\ingroup PkgAnimatedMeshFeaturesTasks
 
 calls `task(i)` for each `i` in `[first, last)`, in any order and, with `CGAL::Parallel_tag` and oneTBB, on several threads.
 Tasks must not depend on one another; whatever they write is theirs alone, which is what makes results independent of

@@ -4,14 +4,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_INSTANCES_H
-#define CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_INSTANCES_H
+#ifndef CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_INSTANCES_INL
+#define CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_INSTANCES_INL
 
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/Extrema/Extremum_options.h>
 #include <CGAL/Animated_mesh_features/Extrema/Response_extremum.h>
-#include <CGAL/Animated_mesh_features/Extrema/find_response_extrema.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Difference_cascade.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_cascade.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Vectorized_candidate_detector.h>
@@ -25,6 +24,8 @@
 #include <cstddef>
 #include <vector>
 
+// Included by the header that defines what is declared here, and by `src/`; not on its own.
+//
 // What the compiled library has of this room: declared here, so that nobody else compiles it, defined in `src/`. The
 // candidate detectors of the package's temporal filters, whatever the other policies; searches with the policies of both
 // presets, `float` and `double`.
@@ -62,4 +63,4 @@ extern CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INSTANCE(float, internal::Published_s
 } // namespace Animated_mesh_features
 } // namespace CGAL
 
-#endif // CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_INSTANCES_H
+#endif // CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_INSTANCES_INL
