@@ -8,9 +8,9 @@
 #define DETECT_FEATURES_CHOSEN_SPATIAL_FILTER_H
 
 #include "reading/Values.h"
-#include "running/Monitor.h"
 
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
 #include <CGAL/Animated_mesh_features/Scale_space/Heat_diffusion_filter.h>
 #include <CGAL/Animated_mesh_features/Scale_space/One_ring_average_filter.h>
@@ -32,7 +32,7 @@ namespace AMF = CGAL::Animated_mesh_features;
 class Chosen_spatial_filter
 {
   typedef std::variant<AMF::Heat_diffusion_filter, AMF::One_ring_average_filter> Filter;
-  typedef AMF::Task_loop<CGAL::Parallel_if_available_tag, Programs::Monitor> Loop;
+  typedef AMF::Task_loop<CGAL::Parallel_if_available_tag, AMF::Any_visitor> Loop;
 
 public:
   explicit Chosen_spatial_filter(Filter filter = AMF::Heat_diffusion_filter())
