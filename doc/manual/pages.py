@@ -78,7 +78,7 @@ def with_short_title(text, is_concept):
         return text
     words = re.fullmatch(r"\s*(.*?)\s(Class|Struct|Union|Namespace)( Template)? Reference\s*(?:<span .*</span>)?\s*",
                          title.group(1), re.DOTALL)
-    example = re.fullmatch(r"\s*(\w+/)([\w.]+)\s*", title.group(1))
+    example = re.fullmatch(r"\s*([\w/]+/)([\w.]+)\s*", title.group(1))
     if example:
         text = text.replace(title.group(0), title_of(*example.groups(), "example", title.group(2)), 1)
     if words:

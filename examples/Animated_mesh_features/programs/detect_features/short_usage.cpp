@@ -53,7 +53,7 @@ std::string short_usage()
   };
   tell(reads_gltf, "glTF (.glb, .gltf)");
   tell(reads_through_assimp, "FBX, Collada, X (.fbx, .dae, .x)");
-  tell(reads_hdf5, "HDF5 (.h5, .hdf5)");
+  tell(reads_hdf5, "HDF5 (.h5)");
   tell(Programs::missing_viewer().empty(), "--html");
   tell(draws_pictures, "--png, --plot");
 

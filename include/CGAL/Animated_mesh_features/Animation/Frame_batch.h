@@ -42,6 +42,7 @@ class Frame_batch
 public:
   typedef std::array<Spatio_temporal_field<FT>*, 3> Fields; ///< x, y and z
 
+  /// gathers frames for fields that are there.
   /// \param fields which have their size.
   /// \param frames_at_once best a multiple of what fits a cache line.
   Frame_batch(const Fields& fields, std::size_t frames_at_once)

@@ -32,6 +32,7 @@ struct Feature_selection
   /// whether features may lie on the border of the mesh, where the smoothing knows only one side.
   bool accept_border_vertices = true;
 
+  /// checks that the thresholds make sense.
   /// \throw Option_error if a threshold is out of its range.
   void check() const
   {
