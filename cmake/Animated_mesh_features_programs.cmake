@@ -67,6 +67,20 @@ function(animated_mesh_features_keep_checks target)
   endif()
 endfunction()
 
+# animated_mesh_features_check(<target>): for examples and tests, all checks. Under sanitizers, with which compilers are
+# slow, they share the compiled library; without, each of them compiles what it uses.
+function(animated_mesh_features_check target)
+  animated_mesh_features_keep_checks(${target})
+  if(ANIMATED_MESH_FEATURES_SANITIZE)
+    target_link_libraries(${target} PRIVATE Animated_mesh_features_compiled)
+  endif()
+endfunction()
+
+if(ANIMATED_MESH_FEATURES_SANITIZE)
+  animated_mesh_features_set_up(Animated_mesh_features_compiled)
+  animated_mesh_features_keep_checks(Animated_mesh_features_compiled)
+endif()
+
 # Programs under sanitizers run several times longer.
 set(ANIMATED_MESH_FEATURES_TEST_TIMEOUT 300)
 if(ANIMATED_MESH_FEATURES_SANITIZE)

@@ -90,13 +90,13 @@ std::vector<Minimum> detect(const Amf::Frame_sequence<Mesh, FT>& sequence,
 }
 
 // The paper's weights, from the public policies as the detector puts them together.
-Amf::Forward_difference_of_gaussians weights(const Amf::Rest_shape& shape, std::size_t frames, double clock,
+Amf::Forward_difference_of_gaussians weights(const Amf::Rest_shape& shape, std::size_t frames, double duration,
                                              const Counts& counts)
 {
   Amf::Published_options o = options_for(counts);
-  const Amf::Scale_levels levels = o.sampling(shape, frames, clock, o.spatial_filter, o.temporal_filter);
+  const Amf::Scale_levels levels = o.sampling(shape, frames, duration, o.spatial_filter, o.temporal_filter);
   o.spatial_filter.initialize(shape, levels.space_variances, Policy_loop());
-  o.temporal_filter.initialize(frames, clock, levels.time_variances);
+  o.temporal_filter.initialize(frames, duration, levels.time_variances);
   std::vector<double> sigma, tau;
   for (std::size_t k = 0; k < levels.space_variances.size(); ++k)
     sigma.push_back(levels.sigma_factor * std::sqrt(o.spatial_filter.variance(k)));

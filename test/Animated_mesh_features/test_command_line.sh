@@ -279,7 +279,7 @@ usage "is no number" c.obj c.pc2 --html v.html --html-every all
 
 # ----------------------------------------------------------------------------------------------------- every option
 
-# The animation's clock: everything as before, in half of the time.
+# The animation's frame rate: everything as before, in half of the time.
 find_features --verbose # a reference that shows what --quiet suppresses
 rm -f x.json
 expect 0 "" c.obj c.pc2 --fps 20 -o x.json

@@ -119,9 +119,9 @@ class Plain_filter
 {
 public:
   explicit Plain_filter(const Filter& filter) : m_filter(filter) {}
-  void initialize(std::size_t frames, double clock, const Row& variances)
+  void initialize(std::size_t frames, double duration, const Row& variances)
   {
-    m_filter.initialize(frames, clock, variances);
+    m_filter.initialize(frames, duration, variances);
   }
   double variance(std::size_t l) const { return m_filter.variance(l); }
   template <class FT>

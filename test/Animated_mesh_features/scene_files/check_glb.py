@@ -67,14 +67,14 @@ def added(base, target):
 animation, features, field = sys.argv[2], json.load(open(sys.argv[3])), read_npy(sys.argv[4])
 positions = read_pc2(animation + ".pc2")
 triangles = [turned(t) for t in read_triangles(animation + ".obj")]
-clock = features["animation"]["frame_duration"]
+frame_duration = features["animation"]["frame_duration"]
 size = features["animation"]["bounding_box_diagonal"]
 features = features["features"]
 frames, vertices = len(positions), len(positions[0])
 check(len(features) > 3, "there are features")
 
 scene = gltf["scenes"][gltf["scene"]]
-check(scene["extras"]["frames"] == frames and near(scene["extras"]["frame_duration"], clock), "the clock in the extras")
+check(scene["extras"]["frames"] == frames and near(scene["extras"]["frame_duration"], frame_duration), "the frame duration in the extras")
 nodes = [gltf["nodes"][i] for i in scene["nodes"]]
 check([n["name"] for n in nodes] == ["surface"] + ["feature_%d" % i for i in range(len(features))], "the nodes")
 samplers = {(c["target"]["node"], c["target"]["path"]): gltf["animations"][0]["samplers"][c["sampler"]]
@@ -104,7 +104,7 @@ every = sorted(x for row in field for x in row)
 check(every[int(0.985 * len(every))] <= top <= every[int(0.995 * len(every))], "the top of the scale of colours")
 check(scene["extras"]["colour"] == "deformation", "the colour is that of the deformation")
 for f in range(frames):
-    weights = play(samplers[0, "weights"], f * clock)
+    weights = play(samplers[0, "weights"], f * frame_duration)
     check(all(near(w, g == f, 1e-4) for g, w in enumerate(weights)), "the weights in frame %d" % f)
     seen = added(base["POSITION"], targets[f]["POSITION"])
     for v in range(vertices):
@@ -126,7 +126,7 @@ for f in range(frames):
 most = max(range(vertices), key=lambda v: max(field[v]))
 least = min(range(vertices), key=lambda v: max(field[v]))
 check(lightness(base["COLOR_0"][least]) > lightness(base["COLOR_0"][most]) + 0.3, "a range of colours")
-half = play(samplers[0, "weights"], 2.5 * clock)
+half = play(samplers[0, "weights"], 2.5 * frame_duration)
 check(near(half[2], 0.5, 1e-4) and near(half[3], 0.5, 1e-4), "positions are linear between frames")
 
 taus = [x["tau"] for x in features]
@@ -136,8 +136,8 @@ for i, x in enumerate(features):
         check(near(node["extras"][name], x[name]), "%s of feature %d" % (name, i))
     check(node["extras"]["rank"] == i, "the rank of feature %d" % i)
     for f in range(frames):
-        alive = f == x["frame"] or abs(f * clock - x["time"]) <= 2 * x["tau"]
-        scale = play(samplers[1 + i, "scale"], f * clock)
+        alive = f == x["frame"] or abs(f * frame_duration - x["time"]) <= 2 * x["tau"]
+        scale = play(samplers[1 + i, "scale"], f * frame_duration)
         check(all(near(s, alive * x["radius"], 1e-6 * size) for s in scale), "feature %d in frame %d" % (i, f))
         if f == 0:
             check(node["scale"] == scale, "the scale before the animation starts")
@@ -145,7 +145,7 @@ for i, x in enumerate(features):
             continue
         place = [sum(b * positions[f][v][c] for b, v in zip(x["barycentric_coordinates"], x["triangle"]))
                  for c in range(3)]
-        seen = play(samplers[1 + i, "translation"], f * clock)
+        seen = play(samplers[1 + i, "translation"], f * frame_duration)
         # times of frames are rounded to single precision
         check(all(near(a, b, 1e-5 * size) for a, b in zip(seen, place)), "the place of feature %d in frame %d" % (i, f))
     red, _, blue, alpha = gltf["materials"][gltf["meshes"][node["mesh"]]["primitives"][0]["material"]][

@@ -50,7 +50,7 @@ def values(data, name):
 scene, animation, features = sys.argv[1], sys.argv[2], json.load(open(sys.argv[3]))
 positions = read_pc2(animation + ".pc2")
 triangles = [turned(t) for t in read_triangles(animation + ".obj")]
-clock = features["animation"]["frame_duration"]
+frame_duration = features["animation"]["frame_duration"]
 fields = {name: read_npy(name + ".npy") for name in ("strain", "curvature", "deformation")}
 features = features["features"]
 check(len(features) > 3, "there are features")
@@ -58,7 +58,7 @@ check(len(features) > 3, "there are features")
 surface = read_series("surface.pvd")
 check(len(surface) == len(positions), "a surface for each frame")
 for f, (time, data) in enumerate(surface):
-    check(near(time, f * clock), "the time of a frame")
+    check(near(time, f * frame_duration), "the time of a frame")
     check(data.GetNumberOfPoints() == len(positions[f]), "the number of vertices")
     for v, p in enumerate(positions[f]):
         check(data.GetPoint(v) == p, "the position of vertex %d in frame %d" % (v, f))
@@ -77,7 +77,7 @@ seen = set()
 empty = 0
 for f, (time, data) in enumerate(series):
     alive = [i for i, x in enumerate(features)
-             if f == x["frame"] or abs(f * clock - x["time"]) <= 2 * x["tau"]]
+             if f == x["frame"] or abs(f * frame_duration - x["time"]) <= 2 * x["tau"]]
     check(values(data, "rank") == alive, "those that live in frame %d" % f)
     check(data.GetNumberOfVerts() == data.GetNumberOfCells() == len(alive), "a vertex for each feature")
     empty += not alive
@@ -88,7 +88,7 @@ for f, (time, data) in enumerate(series):
         x = features[i]
         for name in ("sigma", "tau", "time", "strength", "radius", "vertex", "frame"):
             check(near(columns[name][row], x[name]), "%s of feature %d in frame %d" % (name, i, f))
-        check(near(columns["opacity"][row], math.exp(-((f * clock - x["time"]) / x["tau"]) ** 2 / 2)), "opacity")
+        check(near(columns["opacity"][row], math.exp(-((f * frame_duration - x["time"]) / x["tau"]) ** 2 / 2)), "opacity")
         place = [sum(b * positions[f][v][c] for b, v in zip(x["barycentric_coordinates"], x["triangle"]))
                  for c in range(3)]
         check(all(near(a, b) for a, b in zip(data.GetPoint(row), place)), "the place of feature %d in frame %d" % (i, f))

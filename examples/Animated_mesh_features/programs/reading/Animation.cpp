@@ -69,7 +69,7 @@ double frame_duration(const std::vector<double>& times, const std::string& file)
   for (std::size_t i = 0; i < steps.size(); ++i)
     if (!(std::abs(steps[i] - usual) <= tolerance))
       throw AMF::Input_error(file + ": frame " + std::to_string(i + 1) + " is " + std::to_string(steps[i]) +
-                             " s behind the one before, others are " + std::to_string(usual) +
+                             " s after the one before, others are " + std::to_string(usual) +
                              " s: the frames must be equidistant" + remedy);
   return (times.back() - times.front()) / double(steps.size());
 }
@@ -132,7 +132,7 @@ Animation::Animation(const Reading_options& options, const AMF::IO::Memory_choos
   m_is_sampled = format == Model_format::GLTF || format == Model_format::ASSIMP;
   if (data.frames < 3)
     throw AMF::Input_error(data.sources.back() + ": the animation has " + std::to_string(data.frames) +
-                           " frames; at least 3 are needed, since a feature has a frame before and one behind it");
+                           " frames; at least 3 are needed, since a feature has a frame before and one after it");
   m_frames_per_second = Programs::frames_per_second(options, data);
   m_clip_name = Programs::clip_name(data);
   m_clips = data.clips;

@@ -44,7 +44,7 @@ private:
 
 Strict local minima of a negative response; a model of `ExtremumSearch`.
 
-A sample is a minimum if it is below zero, below the samples of its vertex in the frame before and the frame behind it,
+A sample is a minimum if it is below zero, below the samples of its vertex in the frame before and the frame after it,
 below the same sample at the 8 neighbouring scales, and below every sample of the one-ring in those three frames at its
 own scale. Equal samples are no minima, so that a flat region has none.
 
@@ -69,11 +69,11 @@ struct Difference_of_gaussians_minima
   }
 
   /// whether it still may, given the responses at one neighbour in the frame before, the same frame and the frame
-  /// behind.
+  /// after it.
   template <class FT>
-  bool at_neighbour(FT centre, FT before, FT same, FT behind) const
+  bool at_neighbour(FT centre, FT before, FT same, FT after) const
   {
-    return centre < before && centre < same && centre < behind;
+    return centre < before && centre < same && centre < after;
   }
 };
 

@@ -64,10 +64,10 @@ inline Refined_scales refine_scales(const Extremum& e)
 }
 
 // The value at position `offset` between samples of a scale at three levels, quadratic in the logarithm.
-inline double interpolated_scale(double before, double at, double behind, double offset)
+inline double interpolated_scale(double before, double at, double after, double offset)
 {
-  if (!(before > 0)) return at * std::pow(behind / at, offset); // the unsmoothed level has scale 0
-  const double a = std::log(before / at), b = std::log(behind / at);
+  if (!(before > 0)) return at * std::pow(after / at, offset); // the unsmoothed level has scale 0
+  const double a = std::log(before / at), b = std::log(after / at);
   return at * std::exp(offset * (b - a) / 2 + offset * offset * (a + b) / 2);
 }
 
