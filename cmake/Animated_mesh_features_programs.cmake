@@ -96,4 +96,8 @@ function(animated_mesh_features_add_test name)
   set_tests_properties(${name} PROPERTIES
     TIMEOUT ${ANIMATED_MESH_FEATURES_TEST_TIMEOUT}
     SKIP_RETURN_CODE 77)
+  if(ANIMATED_MESH_FEATURES_SANITIZE MATCHES "address")
+    set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT
+      "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/test/leaks_of_libraries.supp:print_suppressions=0")
+  endif()
 endfunction()
