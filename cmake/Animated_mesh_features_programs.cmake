@@ -38,6 +38,8 @@ endfunction()
 
 option(ANIMATED_MESH_FEATURES_PRECOMPILE "Precompile what most units of programs and tests include" ON)
 
+option(ANIMATED_MESH_FEATURES_UNITY "Compile each folder of the programs' sources as one unit" ON)
+
 # What takes most of the time that a unit takes to be read.
 set(animated_mesh_features_precompiled
   <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h> <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>

@@ -5,12 +5,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The scale space of every smoothing count, against a pipeline that does what the paper says with Eigen's sparse and
-// dense matrices, and against an isolated kernel. Both find the same minima, which is checked.
+// dense matrices, and against an isolated loop. Both find the same minima, which is checked.
 
 #include "Naive_scale_space.h"
 #include "animations.h"
 #include "benchmark_support.h"
-#include "kernels.h"
+#include "isolated_loops.h"
 
 #include <CGAL/Animated_mesh_features/Deformation/curvature.h>
 #include <CGAL/Animated_mesh_features/Deformation/deformation.h>
@@ -182,9 +182,9 @@ public:
             std::to_string(m_counts.box_width) +
             " frames; a sample is a vertex, frame, k and l. The naive pipeline makes level (k, l) from (k-1, l) by a "
             "product with a sparse matrix, as the paper describes it, or from (k, l-1) by running means. Memory: the "
-            "peak over the input and what the program had before; arrays: counted. Share of the kernel: the rate over "
-            "that of as many cores that run the isolated kernel in their L1 caches.",
-        {"pipeline", "threads", "s", "1e9 samples/s", "naive / this", "memory MB", "arrays MB", "share of the kernel"});
+            "peak over the input and what the program had before; arrays: counted. Share of the loop: the rate over "
+            "that of as many cores that run the isolated loop in their L1 caches.",
+        {"pipeline", "threads", "s", "1e9 samples/s", "naive / this", "memory MB", "arrays MB", "share of the loop"});
     Table same(
         "The same minima: " + name,
         "Those of the naive pipeline, in double precision, that are stronger than 1e-6 of the strongest; of them, "
@@ -192,7 +192,7 @@ public:
         "detector leaves out; of these, what it finds without thresholds and suppression. Those that only the "
         "detector has. The strongest that is missing, over the strongest of all.",
         {"detector", "naive minima", "above rounding", "found", "only the detector", "strongest missing"});
-    const double kernel = kernel_rate();
+    const double loop = loop_rate();
     for (std::size_t threads : thread_counts()) {
       const bool is_last = threads == thread_counts().back();
       const Values naive = naive_values(Naive::SPACE_FIRST, threads, is_last);
@@ -200,7 +200,7 @@ public:
         const double rate = m_samples / v.at("seconds");
         table.add(pipeline, threads, v.at("seconds"), 1e-9 * rate, naive.at("seconds") / v.at("seconds"),
                   1e-6 * v.at("memory"), v.count("arrays") ? Cell(1e-6 * v.at("arrays")) : Cell(),
-                  rate / (kernel * double(threads)));
+                  rate / (loop * double(threads)));
       };
       add("naive, (k, l) from (k-1, l)", naive);
       add("naive, (k, l) from (k, l-1)", naive_values(Naive::TIME_FIRST, threads, false));
@@ -217,10 +217,10 @@ public:
   }
 
 private:
-  double kernel_rate() const
+  double loop_rate() const
   {
-    Scale_space_loop kernel(m_counts.box_width, m_arguments.quick ? 2000 : 20000);
-    return kernel.samples() / least_seconds([&] { run_widest(kernel); }, Repetitions{5, 50, 1});
+    Scale_space_loop loop(m_counts.box_width, m_arguments.quick ? 2000 : 20000);
+    return loop.samples() / least_seconds([&] { run_widest(loop); }, Repetitions{5, 50, 1});
   }
 
   Naive naive(const Amf::Forward_difference_of_gaussians& response, Naive::Order order) const
@@ -311,17 +311,17 @@ private:
   double m_samples;
 };
 
-void print_kernel(const Arguments& arguments, Report& report)
+void print_loop(const Arguments& arguments, Report& report)
 {
   Table table(
-      "Isolated kernel of the scale space",
+      "Isolated loop of the scale space",
       "Two box averages, their weighted sum, comparison with 8 scales and 2 frames, in the L1 cache of one core; "
       "registers of " +
           std::to_string(8 * register_bytes()) + " bits.",
       {"box width", "1e9 samples/s"});
   for (std::size_t width : {5, 8, 10, 20}) {
-    Scale_space_loop kernel(width, arguments.quick ? 2000 : 20000);
-    table.add(width, 1e-9 * kernel.samples() / least_seconds([&] { run_widest(kernel); }, Repetitions{5, 50, 1}));
+    Scale_space_loop loop(width, arguments.quick ? 2000 : 20000);
+    table.add(width, 1e-9 * loop.samples() / least_seconds([&] { run_widest(loop); }, Repetitions{5, 50, 1}));
   }
   report.add(table);
 }
@@ -333,7 +333,7 @@ int main(int argc, char* argv[])
   return run("engine", argc, argv, [](const Arguments& arguments, Report& report) {
     limit_before_child_processes() = std::make_unique<Thread_limit>(1);
     set_openmp_threads(1);
-    print_kernel(arguments, report);
+    print_loop(arguments, report);
     const Counts p = {10, 72, 150}, h = {8, 77, 54}, small = {8, 12, 16};
     const Workload woman = figure(arguments.quick ? 1200 : 4250, arguments.quick ? 40 : 100);
     Engine_benchmark(arguments, woman, arguments.quick ? small : p)

@@ -9,7 +9,7 @@
 
 #include "animations.h"
 #include "benchmark_support.h"
-#include "kernels.h"
+#include "isolated_loops.h"
 
 #include <CGAL/Animated_mesh_features/Geodesic_balls/Dijkstra_geodesic_balls.h>
 #include <CGAL/Animated_mesh_features/Scale_space/Heat_diffusion_filter.h>
@@ -43,32 +43,32 @@ typedef Amf::Frame_sequence<Mesh, float> Float_sequence;
 
 // -------------------------------------------------------------------------------------------------------------- bounds
 
-// Runs a kernel for each of several threads at once; returns the time in which all of them are done.
-template <class Kernel>
-double seconds_of_all(std::vector<std::unique_ptr<Kernel>>& kernels)
+// Runs a loop for each of several threads at once; returns the time in which all of them are done.
+template <class Loop>
+double seconds_of_all(std::vector<std::unique_ptr<Loop>>& loops)
 {
   std::atomic<std::size_t> ready(0);
   std::atomic<bool> go(false);
   std::vector<std::thread> threads;
-  for (auto& kernel : kernels)
+  for (auto& loop : loops)
     threads.emplace_back([&] {
       ++ready;
       while (!go) std::this_thread::yield();
-      run_widest(*kernel);
+      run_widest(*loop);
     });
-  while (ready < kernels.size()) std::this_thread::yield();
+  while (ready < loops.size()) std::this_thread::yield();
   return seconds_of([&] {
     go = true;
     for (std::thread& t : threads) t.join();
   });
 }
 
-template <class Kernel>
-double least_seconds_of_all(std::vector<std::unique_ptr<Kernel>>& kernels, const Repetitions& r)
+template <class Loop>
+double least_seconds_of_all(std::vector<std::unique_ptr<Loop>>& loops, const Repetitions& r)
 {
   double least = std::numeric_limits<double>::infinity(), total = 0;
   for (std::size_t i = 0; i < r.most && (i < r.least || total < r.seconds); ++i) {
-    const double t = seconds_of_all(kernels);
+    const double t = seconds_of_all(loops);
     least = (std::min)(least, t);
     total += t;
   }
@@ -78,26 +78,26 @@ double least_seconds_of_all(std::vector<std::unique_ptr<Kernel>>& kernels, const
 double bandwidth(std::size_t bytes_per_thread, std::size_t threads, const Arguments& arguments)
 {
   const double moved = arguments.quick ? 2e8 : 2e9; // by each thread in a run
-  std::vector<std::unique_ptr<Triad_loop>> kernels;
+  std::vector<std::unique_ptr<Triad_loop>> loops;
   for (std::size_t i = 0; i < threads; ++i)
-    kernels.push_back(
+    loops.push_back(
         std::make_unique<Triad_loop>(bytes_per_thread, 1 + std::size_t(moved / double(bytes_per_thread))));
   double bytes = 0;
-  for (const auto& k : kernels) bytes += k->bytes_moved();
-  return bytes / least_seconds_of_all(kernels, repetitions(arguments));
+  for (const auto& k : loops) bytes += k->bytes_moved();
+  return bytes / least_seconds_of_all(loops, repetitions(arguments));
 }
 
 template <class T>
 double peak(std::size_t threads, const Arguments& arguments)
 {
-  std::vector<std::unique_ptr<Multiply_add_loop<T>>> kernels;
+  std::vector<std::unique_ptr<Multiply_add_loop<T>>> loops;
   double flops = 0;
   for (std::size_t i = 0; i < threads; ++i) {
-    kernels.push_back(std::make_unique<Multiply_add_loop<T>>());
-    kernels.back()->steps = arguments.quick ? 1000000 : 20000000;
-    flops += kernels.back()->flops();
+    loops.push_back(std::make_unique<Multiply_add_loop<T>>());
+    loops.back()->steps = arguments.quick ? 1000000 : 20000000;
+    flops += loops.back()->flops();
   }
-  return flops / least_seconds_of_all(kernels, repetitions(arguments));
+  return flops / least_seconds_of_all(loops, repetitions(arguments));
 }
 
 std::size_t cache_size(int name, std::size_t usual)
@@ -301,7 +301,7 @@ int main(int argc, char* argv[])
     std::vector<Rest_shape::Index> all;
     for (std::size_t v = 0; v < shape.number_of_vertices(); ++v) all.push_back(Rest_shape::Index(v));
     const Factor whole = factor(shape, all);
-    const double lanes = double(register_bytes()) / sizeof(float);
+    const double width = double(register_bytes()) / sizeof(float);
     // Two solves a level, each forward and back; the factor (value and index) comes once a pass for as many frames as a
     // register holds. One factorisation a level.
     const Stage_cost diffusion = {"heat diffusion",
@@ -309,7 +309,7 @@ int main(int argc, char* argv[])
                                   false,
                                   double(variances.size()) * f,
                                   2 * 4 * whole.entries + whole.operations / f,
-                                  2 * 2 * 8 * whole.entries / lanes + 2 * 2 * 2 * 4 * n,
+                                  2 * 2 * 8 * whole.entries / width + 2 * 2 * 2 * 4 * n,
                                   8 * whole.entries + 2 * n * f * 4};
     // Edges 6, in the rest frame 12, first fundamental form 15, eigenvalues 10, measure 1. Three coordinates of a
     // vertex, of which there are half as many as triangles, and the result.

@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The filters of the scale space against exact kernels, moments and dense matrices.
+// The filters of the scale space against exact impulse responses, moments and dense matrices.
 
 #include "test_shapes.h"
 
@@ -77,20 +77,20 @@ double largest_difference(const Row& a, const Row& b)
 }
 
 // The response to an impulse far from both ends: sum 1, symmetric, falling to both sides, of the given variance (frames^2).
-void check_kernel(const Row& kernel, double variance, double tolerance)
+void check_impulse_response(const Row& response, double variance, double tolerance)
 {
-  const std::size_t middle = kernel.size() / 2;
+  const std::size_t middle = response.size() / 2;
   double moment = 0;
   bool falling = true, symmetric = true;
-  for (std::size_t i = 0; i < kernel.size(); ++i) {
+  for (std::size_t i = 0; i < response.size(); ++i) {
     const double d = double(i) - double(middle);
-    moment += d * d * kernel[i];
+    moment += d * d * response[i];
   }
   for (std::size_t i = 0; i < middle; ++i) {
-    falling = falling && kernel[middle + i] >= kernel[middle + i + 1] - 1e-15;
-    symmetric = symmetric && std::abs(kernel[middle + i] - kernel[middle - i]) < 1e-14;
+    falling = falling && response[middle + i] >= response[middle + i + 1] - 1e-15;
+    symmetric = symmetric && std::abs(response[middle + i] - response[middle - i]) < 1e-14;
   }
-  CHECK_NEAR(sum_of(kernel), 1, 1e-13);
+  CHECK_NEAR(sum_of(response), 1, 1e-13);
   CHECK_NEAR(moment, variance, tolerance);
   CHECK(falling);
   CHECK(symmetric);
@@ -117,7 +117,7 @@ void test_box_variances()
     std::size_t level = 0;
     for (double passes : {1., 2., 2., 7.}) {
       CHECK_NEAR(filter.variance(level) / (frame_duration * frame_duration), passes * unit, 1e-11);
-      check_kernel(smoothed(filter, ++level, impulse(n)), passes * unit, 1e-10);
+      check_impulse_response(smoothed(filter, ++level, impulse(n)), passes * unit, 1e-10);
     }
     // a single pass is a plain mean: of w frames, or of w + 1 of which the ends count half
     const Row one = smoothed(filter, 1, impulse(n));
@@ -133,7 +133,7 @@ void test_box_variances()
   filter.initialize(n, frame_duration, in_seconds(variances));
   for (std::size_t l = 0; l < variances.size(); ++l) {
     CHECK_NEAR(filter.variance(l) / (frame_duration * frame_duration), variances[l], 1e-11 * variances[l]);
-    check_kernel(smoothed(filter, l + 1, impulse(n)), variances[l], 1e-9 * (1 + variances[l]));
+    check_impulse_response(smoothed(filter, l + 1, impulse(n)), variances[l], 1e-9 * (1 + variances[l]));
   }
   // three boxes of width w make a parabola at the centre, of height 3 / (4 w) with w^2 / 4 = variance: 0.94 of a Gaussian's
   filter.initialize(n, frame_duration, in_seconds({900}));
@@ -192,7 +192,7 @@ void test_box_ends()
   CHECK(smoothed(usual, 1, row) == smoothed(reflecting, 1, row));
 }
 
-// Rows as pairs of lanes, smoothed with the instructions of a set.
+// Rows as pairs of packs, smoothed with the instructions of a set.
 struct Pair_loop
 {
   const Amf::Box_temporal_filter& filter;
@@ -313,8 +313,8 @@ void test_gaussian()
     }
   Amf::Gaussian_temporal_filter filter;
   filter.initialize(401, frame_duration, in_seconds({2, 70}));
-  check_kernel(smoothed(filter, 1, impulse(401)), 2, 1e-9);
-  check_kernel(smoothed(filter, 2, impulse(401)), 70, 1e-9);
+  check_impulse_response(smoothed(filter, 1, impulse(401)), 2, 1e-9);
+  check_impulse_response(smoothed(filter, 2, impulse(401)), 70, 1e-9);
   CHECK_NEAR(filter.unit_variance(401, frame_duration) / (frame_duration * frame_duration), 2. / 3, 1e-12); // a box of three frames
 }
 

@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The scene in the page: what it says, and its numbers decoded. The encoding is described in IO/write_html.h.
+// The scene in the page: what it says, and its numbers decoded. The encoding is described in programs/page/write_html.h.
 
 import { inflate } from "./inflate.js";
 

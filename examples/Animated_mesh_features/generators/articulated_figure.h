@@ -42,7 +42,7 @@ struct Articulated_figure_options
 A small animal with long ears and a long tail, made of nothing but formulas, that runs on the spot.
 
 It stands on z = 0 at rest, is about two units high and looks along +x. Its surface is a smooth union of round cones
-around a skeleton, meshed by Delaunay refinement and remeshed to nearly equilateral triangles: closed, connected,
+around a skeleton, meshed by marching tetrahedra and remeshed to nearly equilateral triangles: closed, connected,
 without handles. It is moved by its bones with blended dual quaternions.
 
 The motion is a function of time and of the place at rest. Two calls with the same options give the same bits. Takes

@@ -9,16 +9,10 @@
 
 #include "../Generated_animation.h"
 #include "Figure_body.h"
+#include "Marching_tetrahedra.h"
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Labeled_mesh_domain_3.h>
-#include <CGAL/Mesh_complex_3_in_triangulation_3.h>
-#include <CGAL/Mesh_criteria_3.h>
-#include <CGAL/Mesh_triangulation_3.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/remesh.h>
-#include <CGAL/facets_in_complex_3_to_triangle_mesh.h>
-#include <CGAL/make_mesh_3.h>
 
 #include <cmath>
 #include <cstddef>
@@ -39,26 +33,12 @@ inline Generated_animation::Kernel::Point_3 to_point(const Eigen::Vector3d& p)
   return Generated_animation::Kernel::Point_3(p.x(), p.y(), p.z());
 }
 
-// Delaunay refinement, as coarse as the thinnest parts allow: it settles the topology. It places its points by a
-// random generator with a fixed seed.
+// Settles the topology: fine enough for creases of radius 0.03.
 inline Figure_mesh coarse_figure(const Figure_body& body)
 {
-  typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
-  typedef CGAL::Labeled_mesh_domain_3<Kernel> Domain;
-  typedef CGAL::Mesh_triangulation_3<Domain>::type Triangulation;
-  typedef CGAL::Mesh_complex_3_in_triangulation_3<Triangulation> Complex;
-  typedef CGAL::Mesh_criteria_3<Triangulation> Criteria;
-
-  const auto value = [&body](const Kernel::Point_3& p) { return body.value(Eigen::Vector3d(p.x(), p.y(), p.z())); };
-  // Around the whole figure, with its centre inside: from there the first points are sought.
-  const Kernel::Sphere_3 sphere(Kernel::Point_3(0, 0, 0.9), 4);
-  Domain domain = Domain::create_implicit_mesh_domain(value, sphere);
-  const Criteria criteria(Criteria::Facet_criteria(25, 0.05, 0.005), Criteria::Cell_criteria(0, 0));
-  const Complex complex = CGAL::make_mesh_3<Complex>(domain, criteria, CGAL::parameters::no_perturb(),
-                                                     CGAL::parameters::no_exude(), CGAL::parameters::manifold());
-  Figure_mesh mesh;
-  CGAL::facets_in_complex_3_to_triangle_mesh(complex, mesh);
-  return mesh;
+  const auto value = [&body](const Eigen::Vector3d& p) { return body.value(p); };
+  const Marching_tetrahedra<decltype(value)> surface(value, Eigen::Vector3d(-1.05, -0.75, -0.05), {95, 95, 141}, 0.016);
+  return surface.mesh();
 }
 
 // Newton steps along the gradient; the value is nearly a distance, so that few suffice.

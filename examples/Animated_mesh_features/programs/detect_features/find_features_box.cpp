@@ -9,6 +9,12 @@
 namespace Detect_features {
 
 Search_result find_features(Search search, const AMF::Box_temporal_filter& filter,
+                            const AMF::Fixed_ratio_sampling& sampling)
+{
+  return find_features_with<AMF::Central_difference_of_gaussians>(search, filter, sampling);
+}
+
+Search_result find_features(Search search, const AMF::Box_temporal_filter& filter,
                             const AMF::Every_smoothing_count& sampling)
 {
   return find_features_with<AMF::Forward_difference_of_gaussians>(search, filter, sampling);

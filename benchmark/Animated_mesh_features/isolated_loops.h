@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_ANIMATED_MESH_FEATURES_BENCHMARK_KERNELS_H
-#define CGAL_ANIMATED_MESH_FEATURES_BENCHMARK_KERNELS_H
+#ifndef CGAL_ANIMATED_MESH_FEATURES_BENCHMARK_ISOLATED_LOOPS_H
+#define CGAL_ANIMATED_MESH_FEATURES_BENCHMARK_ISOLATED_LOOPS_H
 
 #include <boost/align/aligned_allocator.hpp>
 
@@ -29,7 +29,7 @@ struct Vector;
   {                                                                                                                    \
     typedef T type __attribute__((vector_size(bytes)));                                                                \
     typedef Integer Mask __attribute__((vector_size(bytes)));                                                          \
-    static constexpr std::size_t lanes = bytes / sizeof(T);                                                            \
+    static constexpr std::size_t width = bytes / sizeof(T);                                                            \
   };
 BENCHMARK_VECTOR(float, std::int32_t, 16)
 BENCHMARK_VECTOR(float, std::int32_t, 32)
@@ -42,23 +42,23 @@ BENCHMARK_VECTOR(double, std::int64_t, 64)
 template <class T>
 using Aligned_values = std::vector<T, boost::alignment::aligned_allocator<T, 64>>;
 
-// Runs kernel.run<bytes>(), compiled for registers of that many bytes.
+// Runs loop.run<bytes>(), compiled for registers of that many bytes.
 #if defined(__x86_64__)
-template <class Kernel>
-__attribute__((target("avx2,fma"), flatten, noinline)) void run_32(Kernel& kernel)
+template <class Loop>
+__attribute__((target("avx2,fma"), flatten, noinline)) void run_32(Loop& loop)
 {
-  kernel.template run<32>();
+  loop.template run<32>();
 }
-template <class Kernel>
-__attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma"), flatten, noinline)) void run_64(Kernel& kernel)
+template <class Loop>
+__attribute__((target("avx512f,avx512dq,avx512vl,avx2,fma"), flatten, noinline)) void run_64(Loop& loop)
 {
-  kernel.template run<64>();
+  loop.template run<64>();
 }
 #endif
-template <class Kernel>
-__attribute__((noinline)) void run_16(Kernel& kernel)
+template <class Loop>
+__attribute__((noinline)) void run_16(Loop& loop)
 {
-  kernel.template run<16>();
+  loop.template run<16>();
 }
 
 inline std::size_t register_bytes()
@@ -72,14 +72,14 @@ inline std::size_t register_bytes()
   return 16;
 }
 
-template <class Kernel>
-void run_widest(Kernel& kernel)
+template <class Loop>
+void run_widest(Loop& loop)
 {
 #if defined(__x86_64__)
-  if (register_bytes() == 64) return run_64(kernel);
-  if (register_bytes() == 32) return run_32(kernel);
+  if (register_bytes() == 64) return run_64(loop);
+  if (register_bytes() == 32) return run_32(loop);
 #endif
-  run_16(kernel);
+  run_16(loop);
 }
 
 // ------------------------------------------------------------------------------------------------------- arithmetic
@@ -108,7 +108,7 @@ struct Multiply_add_loop
     }
     V sum = V{};
     for (std::size_t i = 0; i < chains; ++i) sum += x[i];
-    T values[Vector<T, bytes>::lanes];
+    T values[Vector<T, bytes>::width];
     __builtin_memcpy(values, &sum, sizeof values);
     for (T v : values) result += v;
   }
@@ -139,7 +139,7 @@ struct Triad_loop
     V* const x = reinterpret_cast<V*>(a.data());
     const V* const y = reinterpret_cast<const V*>(b.data());
     const V* const z = reinterpret_cast<const V*>(c.data());
-    const std::size_t n = a.size() / Vector<double, bytes>::lanes;
+    const std::size_t n = a.size() / Vector<double, bytes>::width;
     for (std::size_t s = 0; s < sweeps; ++s) {
       const V factor = V{} + double(s);
 #pragma GCC unroll 4
@@ -182,7 +182,7 @@ struct Scale_space_loop
     V *const least_of_three = base + 7 * plane, *const least_of_two = base + 8 * plane; // over time levels
     std::uint32_t seed = 1;
     for (std::size_t i = 0; i < 2 * plane; ++i)
-      for (std::size_t j = 0; j < Vector<float, bytes>::lanes; ++j) {
+      for (std::size_t j = 0; j < Vector<float, bytes>::width; ++j) {
         seed = seed * 1664525u + 1013904223u;
         in[i][j] = float(seed >> 8) / float(1 << 24) - 0.5f;
       }
@@ -252,7 +252,7 @@ struct Scale_space_loop
       }
       std::swap(in, out);
     }
-    std::int32_t counts[Vector<float, bytes>::lanes];
+    std::int32_t counts[Vector<float, bytes>::width];
     __builtin_memcpy(counts, &found, sizeof counts);
     minima = 0;
     for (std::int32_t c : counts) minima += std::size_t(c);
@@ -261,4 +261,4 @@ struct Scale_space_loop
 
 } // namespace Benchmark
 
-#endif // CGAL_ANIMATED_MESH_FEATURES_BENCHMARK_KERNELS_H
+#endif // CGAL_ANIMATED_MESH_FEATURES_BENCHMARK_ISOLATED_LOOPS_H
