@@ -13,7 +13,7 @@
 
 namespace Make_animation {
 
-// Compiled on its own: CGAL's Delaunay refinement, of which the figure is made, takes a compiler most of a minute.
+// Compiled on its own: CGAL's remesher, of which the figure is made, takes a compiler twenty seconds.
 // throws Option_error.
 Animated_mesh_generators::Generated_animation generate_figure(const Generation_options& options);
 
