@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -72,6 +73,13 @@ double frame_duration(const std::vector<double>& times, const std::string& file)
                              " s after the one before, others are " + std::to_string(usual) +
                              " s: the frames must be equidistant" + remedy);
   return (times.back() - times.front()) / double(steps.size());
+}
+
+std::string number(double x)
+{
+  std::ostringstream os;
+  os << x;
+  return os.str();
 }
 
 double frames_per_second(const Reading_options& o, const File_data& data)
@@ -134,8 +142,14 @@ Animation::Animation(const Reading_options& options, const AMF::IO::Memory_choos
     throw AMF::Input_error(data.sources.back() + ": the animation has " + std::to_string(data.frames) +
                            " frames; at least 3 are needed, since a feature has a frame before and one after it");
   m_frames_per_second = Programs::frames_per_second(options, data);
+  if (!is_usable_rate(m_frames_per_second))
+    throw AMF::Input_error(data.sources.back() + ": the times of the frames make " + number(m_frames_per_second) +
+                           " frames in a second; --fps says how many there are");
   m_clip_name = Programs::clip_name(data);
   m_clips = data.clips;
+  m_files = data.sources;
+  m_files.insert(m_files.end(), data.linked_files.begin(), data.linked_files.end());
+  if (!options.rest.file.empty()) m_files.push_back(options.rest.file);
   m_origins = std::move(data.origins);
   m_remarks = std::move(data.remarks);
   m_mesh = AMF::IO::to_surface_mesh(data.mesh, data.sources.front());

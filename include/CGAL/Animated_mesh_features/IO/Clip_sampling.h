@@ -13,8 +13,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <locale>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,9 @@ of the keys themselves, the commonest one: animations that were recorded or bake
 are sparse, since the curves between them say the rest, it is divided by the smallest whole number that gives at least
 `least_frames` frames and `least_frames_per_second`, so that keys are still met. At a rate of one's own, what is left
 after the last whole frame is left out.
+
+A file of a few bytes may have two keys that are a year apart: more than `most_unasked_frames` are not made unless a track
+has as many keys, or whoever reads the file asks for them.
 */
 struct Clip_sampling
 {
@@ -40,6 +45,12 @@ struct Clip_sampling
 
   /// as many as it takes for some temporal scales between a frame and a sixth of the duration.
   static constexpr std::size_t least_frames = 48;
+
+  /// more than an hour at any usual rate.
+  static constexpr std::size_t most_unasked_frames = 250000;
+
+  /// as many as may be asked for: four days at 30 in a second. Beyond, a rate is a mistake.
+  static constexpr std::size_t most_frames = 10000000;
 
   std::string clip;                        ///< name, or index from 0; empty: the first clip
   std::optional<std::size_t> frames;       ///< how many; at least 2
@@ -128,6 +139,33 @@ inline double commonest_step(const Keyframed_model::Clip& clip)
   return commonest;
 }
 
+// in words: 1.2e+08, without the decimals that std::to_string() has
+inline std::string rounded(double x)
+{
+  std::ostringstream os;
+  os.imbue(std::locale::classic());
+  os << x;
+  return os.str();
+}
+
+// How many times the distance of two frames the clip lasts, where nobody says.
+inline double unasked_intervals(const Keyframed_model::Clip& clip, double duration, const std::string& file)
+{
+  const double step = commonest_step(clip); // 0 if each track has a single key
+  const double own = step > 0 ? (std::max)(1., std::round(duration / step)) : 1;
+  // 23.976 frames in a second are as good as 24.
+  const double least = (std::max)(double(Clip_sampling::least_frames - 1),
+                                  std::floor(0.99 * duration * Clip_sampling::least_frames_per_second));
+  const double intervals = own * std::ceil(least / own);
+  std::size_t most = Clip_sampling::most_unasked_frames;
+  for (const Keyframed_model::Channel& channel : clip.channels) most = (std::max)(most, channel.track.times.size());
+  if (!(intervals < double(most)))
+    throw Input_error(file + ": clip \"" + clip.name + "\" lasts " + rounded(duration) + " s and would have " +
+                      rounded(intervals + 1) + " frames, many more than it has keys; choose how many or how often" +
+                      " (command line: --frames, --fps)");
+  return intervals;
+}
+
 } // namespace internal
 
 /*!
@@ -135,8 +173,8 @@ inline double commonest_step(const Keyframed_model::Clip& clip)
 
 where in the clip the frames are (s), see `Clip_sampling`. \f$O(K \log K)\f$ for `K` keys.
 
-\throw Input_error if all keys of the clip are at one time.
-\throw Option_error if less than 2 frames are asked for, or a rate at which there are less.
+\throw Input_error if all keys of the clip are at one time, or it would have more than `most_unasked_frames`.
+\throw Option_error if less than 2 frames are asked for, or a rate at which there are less; or more than `most_frames`.
 */
 inline std::vector<double> frame_times(const Keyframed_model::Clip& clip, const Clip_sampling& sampling,
                                        const std::string& file)
@@ -152,8 +190,7 @@ inline std::vector<double> frame_times(const Keyframed_model::Clip& clip, const 
   const double duration = last - first;
   if (!(duration > 0)) throw Input_error(file + ": clip \"" + clip.name + "\" has no duration: it moves nothing");
 
-  const double most_frames = 1e9; // beyond, a rate or a key is nonsense
-  double intervals, step = 0;     // 0: as the number of intervals gives it
+  double intervals, step = 0; // 0: as the number of intervals gives it
   if (sampling.frames) {
     if (*sampling.frames < 2) throw Option_error("an animation needs at least 2 frames");
     intervals = double(*sampling.frames - 1);
@@ -164,14 +201,11 @@ inline std::vector<double> frame_times(const Keyframed_model::Clip& clip, const 
       throw Option_error(file + ": clip \"" + clip.name + "\" is shorter than a frame, " + std::to_string(duration) +
                          " s");
   } else {
-    const double own = (std::max)(1., std::round(duration / internal::commonest_step(clip)));
-    // 23.976 frames in a second are as good as 24.
-    const double least = (std::max)(double(Clip_sampling::least_frames - 1),
-                                    std::floor(0.99 * duration * Clip_sampling::least_frames_per_second));
-    intervals = own * std::ceil(least / own);
+    intervals = internal::unasked_intervals(clip, duration, file);
   }
-  if (!(intervals < most_frames))
-    throw Input_error(file + ": clip \"" + clip.name + "\" would have " + std::to_string(intervals + 1) + " frames");
+  if (!(intervals < double(Clip_sampling::most_frames)))
+    throw Option_error(file + ": clip \"" + clip.name + "\" would have " + internal::rounded(intervals + 1) +
+                       " frames; at most " + std::to_string(Clip_sampling::most_frames) + " are made");
   const std::size_t n = std::size_t(intervals);
   std::vector<double> times(n + 1);
   for (std::size_t i = 0; i <= n; ++i)

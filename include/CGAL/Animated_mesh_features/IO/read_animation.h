@@ -62,6 +62,9 @@ struct Animation_file_data
   /// the files: mesh and cache, or a mesh for each frame, in their order.
   std::vector<std::string> sources;
 
+  /// further files that those refer to: the buffers of a model.
+  std::vector<std::string> linked_files;
+
   /// the names of all animations in the file; empty where there is but one, without a name.
   std::vector<std::string> clips;
 
