@@ -198,6 +198,15 @@ void test_sampling()
   CHECK(times({recorded}).size() == recorded.size());
   CHECK(times({{0}, {1}}).size() == 48); // no step at all
 
+  typedef std::vector<std::size_t> Clips;
+  CHECK((IO::find_clips({"a", "b", "c"}, "", "f") == Clips{0}) && (IO::find_clips({"a", "b", "c"}, "c", "f") == Clips{2}));
+  CHECK((IO::find_clips({"a", "b", "c"}, "c+0", "f") == Clips{2, 0}));
+  CHECK((IO::find_clips({"a", "b", "a+b"}, "a+b", "f") == Clips{2})); // names come first
+  CHECK((IO::find_clips({"a", "a", "b"}, "0+b", "f") == Clips{0, 2}));
+  CHECK_THROWS(Option_error, IO::find_clips({"a", "b"}, "a+z", "f"), "there is no clip \"z\"");
+  CHECK_THROWS(Option_error, IO::find_clips({"a", "b"}, "a+", "f"), "joins a clip with nothing");
+  CHECK_THROWS(Option_error, IO::find_clips({"a", "b"}, "a+b+0", "f"), "names the clip \"a\" twice");
+  CHECK_THROWS(Input_error, IO::find_clips({}, "a+b", "f"), "holds no animation");
   CHECK(IO::find_clip({"a", "b", "1"}, "", "f") == 0);
   CHECK(IO::find_clip({"a", "b", "1"}, "b", "f") == 1);
   CHECK(IO::find_clip({"a", "b", "1"}, "1", "f") == 2); // names come first
@@ -243,6 +252,26 @@ void test_sampled_clip()
   CHECK((asked == std::vector<std::size_t>{4, IO::Clip_sampling::most_frames}));
   CHECK(data.remarks.size() == 1 && data.remarks[0] == "6 vertices of the file became 4, 1 edge was sewn");
   CHECK(data.frame_name(7) == "file, frame 7");
+  // Two clips together are what one with the channels of both is.
+  Model two = square();
+  two.clips.push_back({"grow", {channel(0, Model::Path::SCALE, track(Interpolation::LINEAR, {0, 2}, {1, 1, 1, 1, 3, 1}, 3))}});
+  Model one = two;
+  one.clips[0].channels.push_back(one.clips[1].channels[0]);
+  sampling.frames = 101;
+  sampling.clip = "move+1";
+  const auto together = IO::sample_clip<double>(two, sampling, "file");
+  CHECK(together.clip == 0 && together.further_clips == std::vector<std::size_t>{1});
+  sampling.clip.clear();
+  const auto expected = IO::sample_clip<double>(one, sampling, "file");
+  CHECK(together.times == expected.times && together.times.back() == 2);
+  for (std::size_t v = 0; v < 4; ++v)
+    for (std::size_t f = 0; f < 101; ++f)
+      CHECK(together.x(v, f) == expected.x(v, f) && together.y(v, f) == expected.y(v, f) && together.z(v, f) == expected.z(v, f));
+  two.clips[1].channels[0] = two.clips[0].channels[0];
+  sampling.clip = "0+1";
+  CHECK_THROWS(Option_error, IO::sample_clip<double>(two, sampling, "file"),
+               "file: the clips \"move\" and \"grow\" do not go together, both move node");
+  sampling.clip.clear();
   std::ostringstream map;
   IO::write_vertex_map(map, data.origins, 4);
   CHECK(map.str() == "file_vertex,part,part_vertex,vertex\n0,0,0,0\n1,0,1,1\n3,0,3,1\n2,0,2,2\n5,0,5,2\n4,0,4,3\n");

@@ -9,6 +9,7 @@
 #include "make_animation/generate_figure.h"
 #include "make_animation/set_frames.h"
 #include "output/check_outputs.h"
+#include "running/Interruption.h"
 #include "running/tell.h"
 
 #include "generators/bending_cylinder.h"
@@ -55,12 +56,14 @@ IO::Indexed_mesh rest_shape(const Generated_animation& animation)
 void write(const Generated_animation& animation, const std::string& base)
 {
   Programs::check_outputs({base + ".obj", base + ".pc2"}, {});
+  const Programs::Interruption interruption; // now that there is something to be left on a disk
   // Both are complete, down to the last byte, before either takes its place.
   IO::Output_file obj(base + ".obj"), pc2(base + ".pc2");
   IO::write_obj(obj.stream(), rest_shape(animation));
   obj.stream().flush();
   obj.check();
   IO::write_pc2(pc2.stream(), num_vertices(animation.mesh), animation.frames.size(), [&](std::size_t f, float* xyz) {
+    Programs::Interruption::check();
     for (const auto& p : animation.frames[f])
       for (int i = 0; i < 3; ++i) *xyz++ = float(p[i]);
   });

@@ -88,13 +88,19 @@ double frames_per_second(const Reading_options& o, const File_data& data)
   return data.times.empty() ? default_frames_per_second : 1 / frame_duration(data.times, data.sources.back());
 }
 
-// of the clip that was read
+// of the clip that was read, or of several together: as --clip takes it
 std::string clip_name(const File_data& data)
 {
   if (data.clips.empty()) return std::string();
-  const std::string& name = data.clips[data.clip];
-  const bool is_unique = std::count(data.clips.begin(), data.clips.end(), name) == 1;
-  return name.empty() || !is_unique ? std::to_string(data.clip) : name;
+  const auto name = [&](std::size_t clip) {
+    const std::string& n = data.clips[clip];
+    const bool is_unique = std::count(data.clips.begin(), data.clips.end(), n) == 1;
+    const bool is_split = !data.further_clips.empty() && n.find('+') != std::string::npos;
+    return n.empty() || !is_unique || is_split ? std::to_string(clip) : n;
+  };
+  std::string all = name(data.clip);
+  for (std::size_t clip : data.further_clips) all += "+" + name(clip);
+  return all;
 }
 
 // Takes the rest shape from a file; returns by what it was multiplied.

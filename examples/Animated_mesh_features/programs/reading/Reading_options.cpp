@@ -31,8 +31,8 @@ void add_clip_options(Option_group& group, Reading_options& o)
 {
   group.add(
       "clip", "NAME",
-      "the clip of an animated model, or the sequence of an HDF5 file, by name, or by number from 0 (default: the "
-      "first; --verbose lists them)",
+      "the clip of an animated model, or the sequence of an HDF5 file, by name, or by number from 0; several clips that "
+      "play together as A+B (default: the first; --verbose lists them)",
       [&](const Argument& a) { o.clip = a.text(); });
   group.add("frames", "N",
             "equidistant frames to make of a clip, from its first to its last key (default: the keys' own rate, their "

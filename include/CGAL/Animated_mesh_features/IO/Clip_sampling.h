@@ -14,10 +14,12 @@
 #include <cmath>
 #include <cstddef>
 #include <locale>
+#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -52,7 +54,7 @@ struct Clip_sampling
   /// as many as may be asked for: four days at 30 in a second. Beyond, a rate is a mistake.
   static constexpr std::size_t most_frames = 10000000;
 
-  std::string clip;                        ///< name, or index from 0; empty: the first clip
+  std::string clip;                        ///< name, or index from 0; several, joined by +; empty: the first clip
   std::optional<std::size_t> frames;       ///< how many; at least 2
   std::optional<double> frames_per_second; ///< if `frames` is not given
 
@@ -97,6 +99,57 @@ inline std::size_t find_clip(const std::vector<std::string>& names, const std::s
   for (std::size_t i = 0; i < names.size(); ++i)
     if (std::to_string(i) == wanted) return i;
   throw Option_error(file + ": there is no clip \"" + wanted + "\"; clips are " + clip_list(names));
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesModels
+
+the indices of the clips that `wanted` names, several of them joined by `+`; a clip whose own name has a `+` is found by the
+whole name first.
+
+\throw Input_error, Option_error as `find_clip()`; Option_error if a clip is named twice.
+*/
+inline std::vector<std::size_t> find_clips(const std::vector<std::string>& names, const std::string& wanted,
+                                           const std::string& file)
+{
+  const bool is_name = std::find(names.begin(), names.end(), wanted) != names.end();
+  if (is_name || names.empty() || wanted.find('+') == std::string::npos) return {find_clip(names, wanted, file)};
+  std::vector<std::size_t> clips;
+  for (std::size_t first = 0, end; first <= wanted.size(); first = end + 1) {
+    end = (std::min)(wanted.find('+', first), wanted.size());
+    const std::string part = wanted.substr(first, end - first);
+    if (part.empty()) throw Option_error(file + ": \"" + wanted + "\" joins a clip with nothing; clips are " + clip_list(names));
+    const std::size_t clip = find_clip(names, part, file);
+    if (std::find(clips.begin(), clips.end(), clip) != clips.end())
+      throw Option_error(file + ": \"" + wanted + "\" names the clip \"" + names[clip] + "\" twice");
+    clips.push_back(clip);
+  }
+  return clips;
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesModels
+
+clips that are played together, as one: formats store what moves the bones and what changes the shape of one motion as two.
+
+\throw Option_error if two of them change the same of a node, so that it is not clear what becomes of it.
+*/
+inline Keyframed_model::Clip joined_clip(const Keyframed_model& model, const std::vector<std::size_t>& clips,
+                                         const std::string& file)
+{
+  Keyframed_model::Clip joined;
+  std::map<std::pair<std::size_t, Keyframed_model::Path>, std::size_t> moved_by; // node and what of it: the clip
+  for (std::size_t clip : clips) {
+    joined.name += (clip == clips.front() ? "" : "+") + model.clips[clip].name;
+    for (const Keyframed_model::Channel& channel : model.clips[clip].channels) {
+      const std::size_t first = moved_by.emplace(std::make_pair(channel.node, channel.path), clip).first->second;
+      if (first != clip)
+        throw Option_error(file + ": the clips \"" + model.clips[first].name + "\" and \"" + model.clips[clip].name +
+                           "\" do not go together, both move node " + std::to_string(channel.node));
+      joined.channels.push_back(channel);
+    }
+  }
+  return joined;
 }
 
 /*!

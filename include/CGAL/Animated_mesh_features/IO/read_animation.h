@@ -71,6 +71,9 @@ struct Animation_file_data
   /// which of them this is.
   std::size_t clip = 0;
 
+  /// which others are played together with it.
+  std::vector<std::size_t> further_clips;
+
   /// empty if vertices are those of the file.
   Vertex_origins origins;
 

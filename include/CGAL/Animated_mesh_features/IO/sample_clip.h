@@ -151,8 +151,8 @@ fewest that there can be, too, after one frame, so that what is much too large i
 \param sampling which clip, and when
 \param file the name for messages
 \param choose_memory see `Memory_chooser`
-\throws Option_error see `find_clip()` and `frame_times()`
-\throws Input_error see `Keyframed_model_evaluator`, `find_clip()`, `frame_times()`; a position is not
+\throws Option_error see `find_clips()`, `joined_clip()` and `frame_times()`
+\throws Input_error see `Keyframed_model_evaluator`, `find_clips()`, `frame_times()`; a position is not
 finite; there are no triangles.
 */
 template <class FT, class ConcurrencyTag = CGAL::Parallel_if_available_tag>
@@ -163,8 +163,10 @@ Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sam
   data.sources = {file};
   data.linked_files = model.linked_files;
   data.clips = clip_names(model);
-  data.clip = find_clip(data.clips, sampling.clip, file);
-  const internal::Clip_frames frames(model, data.clip, sampling, file);
+  const std::vector<std::size_t> clips = find_clips(data.clips, sampling.clip, file);
+  data.clip = clips.front();
+  data.further_clips.assign(clips.begin() + 1, clips.end());
+  const internal::Clip_frames frames(model, joined_clip(model, clips, file), sampling, file);
   data.frames = frames.size();
   data.times = frames.times();
 

@@ -83,7 +83,7 @@ private:
   std::filesystem::path path(const std::string& uri, const std::string& buffer) const
   {
     const std::string name = decoded_uri(uri);
-    const std::size_t colon = name.find(':');
+    const std::size_t colon = uri.find(':'); // in a name it would be escaped: this is "http:" or the like
     if (name.find('\0') != std::string::npos || (colon != std::string::npos && colon > 1))
       m_check.fail(buffer + ": " + name + " is no file beside the model");
     const std::filesystem::path file = m_folder / name;
