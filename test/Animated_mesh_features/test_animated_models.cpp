@@ -199,7 +199,8 @@ void test_sampling()
   CHECK(times({{0}, {1}}).size() == 48); // no step at all
 
   typedef std::vector<std::size_t> Clips;
-  CHECK((IO::find_clips({"a", "b", "c"}, "", "f") == Clips{0}) && (IO::find_clips({"a", "b", "c"}, "c", "f") == Clips{2}));
+  CHECK((IO::find_clips({"a", "b", "c"}, "", "f") == Clips{0}) &&
+        (IO::find_clips({"a", "b", "c"}, "c", "f") == Clips{2}));
   CHECK((IO::find_clips({"a", "b", "c"}, "c+0", "f") == Clips{2, 0}));
   CHECK((IO::find_clips({"a", "b", "a+b"}, "a+b", "f") == Clips{2})); // names come first
   CHECK((IO::find_clips({"a", "a", "b"}, "0+b", "f") == Clips{0, 2}));
@@ -254,7 +255,8 @@ void test_sampled_clip()
   CHECK(data.frame_name(7) == "file, frame 7");
   // Two clips together are what one with the channels of both is.
   Model two = square();
-  two.clips.push_back({"grow", {channel(0, Model::Path::SCALE, track(Interpolation::LINEAR, {0, 2}, {1, 1, 1, 1, 3, 1}, 3))}});
+  two.clips.push_back(
+      {"grow", {channel(0, Model::Path::SCALE, track(Interpolation::LINEAR, {0, 2}, {1, 1, 1, 1, 3, 1}, 3))}});
   Model one = two;
   one.clips[0].channels.push_back(one.clips[1].channels[0]);
   sampling.frames = 101;
@@ -266,7 +268,8 @@ void test_sampled_clip()
   CHECK(together.times == expected.times && together.times.back() == 2);
   for (std::size_t v = 0; v < 4; ++v)
     for (std::size_t f = 0; f < 101; ++f)
-      CHECK(together.x(v, f) == expected.x(v, f) && together.y(v, f) == expected.y(v, f) && together.z(v, f) == expected.z(v, f));
+      CHECK(together.x(v, f) == expected.x(v, f) && together.y(v, f) == expected.y(v, f) &&
+            together.z(v, f) == expected.z(v, f));
   two.clips[1].channels[0] = two.clips[0].channels[0];
   sampling.clip = "0+1";
   CHECK_THROWS(Option_error, IO::sample_clip<double>(two, sampling, "file"),
@@ -372,7 +375,8 @@ void test_welding()
 std::string triangle_gltf(const std::string& buffer, const std::string& more = "")
 {
   return "{\"asset\": {\"version\": \"2.0\"}, \"buffers\": [{" + buffer +
-         "\"byteLength\": 36}], \"bufferViews\": [{\"buffer\": 0, \"byteLength\": 36}], \"accessors\": [{\"bufferView\": "
+         "\"byteLength\": 36}], \"bufferViews\": [{\"buffer\": 0, \"byteLength\": 36}], \"accessors\": "
+         "[{\"bufferView\": "
          "0, \"componentType\": 5126, \"type\": \"VEC3\", \"count\": 3}], \"nodes\": [{\"mesh\": 0}], \"meshes\": "
          "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}}]}]" +
          more + "}";
@@ -409,7 +413,7 @@ void test_linked_files()
   std::filesystem::current_path(folder.path("current"));
   CHECK_THROWS(Input_error, read("here.bin"), "buffer 0: there is no file");
   std::filesystem::current_path(current);
-#ifndef _WIN32
+  #ifndef _WIN32
   std::filesystem::create_symlink("../secret.bin", folder.path("model/link.bin"));
   CHECK_THROWS(Input_error, read("link.bin"), "is not in the model's folder");
   read("link.bin", IO::Linked_files::ANYWHERE);
@@ -418,7 +422,7 @@ void test_linked_files()
   const std::string data = "\"uri\": \"data:application/octet-stream;base64," + std::string(48, 'A') + "\", ";
   const std::string images = ", \"images\": [{\"uri\": \"pipe\"}, {\"uri\": \"../secret.bin\"}, 7]";
   CHECK(IO::read_gltf(folder.write("model/i.gltf", triangle_gltf(data, images))).linked_files.empty());
-#endif
+  #endif
 }
 
 // What is much larger than the file is refused before memory is taken for it.
@@ -442,7 +446,8 @@ void test_swollen_gltf()
   const std::string sparse = ", \"sparse\": {\"count\": 1, \"indices\": {\"bufferView\": 0, \"componentType\": 5121}, "
                              "\"values\": {\"bufferView\": 0}}";
   const std::string matrices = "\"componentType\": 5126, \"type\": \"MAT4\", \"count\": ";
-  CHECK_THROWS(Input_error, read(with_skin(matrices + "67108864" + sparse)), "has more elements than the file has bytes");
+  CHECK_THROWS(Input_error, read(with_skin(matrices + "67108864" + sparse)),
+               "has more elements than the file has bytes");
   CHECK_THROWS(Input_error, read(with_skin("\"bufferView\": 0, " + matrices + "36")), "exceeds its buffer");
   // what many refer to
   std::string uses = "{\"mesh\": 0}";
@@ -500,10 +505,11 @@ void test_bad_gltf()
                "needs EXT_meshopt_compression, which is not supported");
   CHECK_THROWS(Input_error, read(gltf(", \"extensionsRequired\": [\"ABC_xyz\"]")), "needs the extension ABC_xyz");
   // by name also where it is not said to be required
-  CHECK_THROWS(Input_error,
-               read(gltf(", \"accessors\": [{\"count\": 3}], \"meshes\": [{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, "
-                         "\"extensions\": {\"KHR_draco_mesh_compression\": {}}}]}]")),
-               "needs KHR_draco_mesh_compression");
+  CHECK_THROWS(
+      Input_error,
+      read(gltf(", \"accessors\": [{\"count\": 3}], \"meshes\": [{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, "
+                "\"extensions\": {\"KHR_draco_mesh_compression\": {}}}]}]")),
+      "needs KHR_draco_mesh_compression");
   CHECK_THROWS(Input_error,
                read(gltf(", \"buffers\": [{\"byteLength\": 4, \"extensions\": {\"EXT_meshopt_compression\": {}}}]")),
                "buffer 0 has no data; it needs EXT_meshopt_compression");

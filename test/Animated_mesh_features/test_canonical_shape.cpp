@@ -403,9 +403,12 @@ void test_cancelled()
   // a task that would not end
   Impatient visitor{3};
   const Amf::Task_loop<CGAL::Parallel_if_available_tag, Impatient> loop(visitor, Amf::Stage::REST_SHAPE);
-  CHECK_THROWS(Amf::Cancelled, loop(2, [](std::size_t) {
-                 while (true) Amf::internal::cancellation_point();
-               }), "");
+  CHECK_THROWS(Amf::Cancelled,
+               loop(2,
+                    [](std::size_t) {
+                      while (true) Amf::internal::cancellation_point();
+                    }),
+               "");
   CHECK(visitor.calls == 4);
   Amf::internal::cancellation_point(); // where nobody can be asked, nothing happens
 }

@@ -74,7 +74,8 @@ void test_lengths_and_ranges()
 void test_terminal_text()
 {
   const std::string box = "\xef\xbf\xbd";
-  CHECK(terminal_text("").empty() && terminal_text("\n\n") == "\n\n" && terminal_text("caf\xc3\xa9\nb") == "caf\xc3\xa9\nb");
+  CHECK(terminal_text("").empty() && terminal_text("\n\n") == "\n\n" &&
+        terminal_text("caf\xc3\xa9\nb") == "caf\xc3\xa9\nb");
   CHECK(terminal_text("a\x1b[31mRED\a\tb\n") == "a" + box + "[31mRED" + box + box + "b\n");
   const std::string line = "begin" + std::string(100000, 'x') + "end", shown = terminal_text(line + "\nnext");
   CHECK(shown.size() < 4100 && shown.compare(0, 6, "beginx") == 0 && shown.find("xend\nnext") != std::string::npos);

@@ -272,7 +272,8 @@ void test_errors()
   extreme = Amf::Fixed_ratio_sampling();
   extreme.tau_ratio = 1 + 1e-9;
   CHECK_THROWS(Amf::Option_error, levels(extreme), "levels; at most 500 are made");
-  CHECK_THROWS(Amf::Option_error, extreme(shape, 48, frame_duration, Filter_of_limit{infinity}, Amf::Gaussian_temporal_filter()),
+  CHECK_THROWS(Amf::Option_error,
+               extreme(shape, 48, frame_duration, Filter_of_limit{infinity}, Amf::Gaussian_temporal_filter()),
                "is not finite");
   CHECK(Amf::Every_smoothing_count::largest_count(infinity) == 1000000000);
   CHECK_THROWS(Amf::Option_error, Amf::internal::number_of_passes(1, 0), "inf passes");

@@ -191,9 +191,10 @@ void add_output_options(Option_group& group, Output_options& o)
             "also write which vertices of the file, by part, the vertices of the results are made of (CSV); models for "
             "pictures split vertices at seams, and split ones are welded on reading",
             [&](const Argument& a) { o.vertex_map = a.text(); });
-  group.add_switch("no-sync", o.no_sync,
-                   "do not wait for the disk before files take their places: faster on slow disks, but after a power failure "
-                   "files may be incomplete");
+  group.add_switch(
+      "no-sync", o.no_sync,
+      "do not wait for the disk before files take their places: faster on slow disks, but after a power failure "
+      "files may be incomplete");
 }
 
 void complete(Output_options& o)

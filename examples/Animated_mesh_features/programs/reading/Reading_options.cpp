@@ -29,11 +29,11 @@ void set_rest(const Argument& argument, Rest_choice& rest)
 
 void add_clip_options(Option_group& group, Reading_options& o)
 {
-  group.add(
-      "clip", "NAME",
-      "the clip of an animated model, or the sequence of an HDF5 file, by name, or by number from 0; several clips that "
-      "play together as A+B (default: the first; --verbose lists them)",
-      [&](const Argument& a) { o.clip = a.text(); });
+  group.add("clip", "NAME",
+            "the clip of an animated model, or the sequence of an HDF5 file, by name, or by number from 0; several "
+            "clips that "
+            "play together as A+B (default: the first; --verbose lists them)",
+            [&](const Argument& a) { o.clip = a.text(); });
   group.add("frames", "N",
             "equidistant frames to make of a clip, from its first to its last key (default: the keys' own rate, their "
             "commonest step, refined by a whole number where that gives less than 48 frames or 24 in a second)",
@@ -42,9 +42,10 @@ void add_clip_options(Option_group& group, Reading_options& o)
       "there-and-back", o.there_and_back,
       "play the clip to its end and back again: a gesture that is stored one way only grows to its end, and "
       "has no moment of its own that could be a feature");
-  group.add_switch("allow-outside", o.allow_outside,
-                   "read the data of a glTF model also where it names files outside of the model's folder: for models that "
-                   "you trust");
+  group.add_switch(
+      "allow-outside", o.allow_outside,
+      "read the data of a glTF model also where it names files outside of the model's folder: for models that "
+      "you trust");
   group.add("faces", "NAME", "the dataset of triangles in an HDF5 file (default: faces)",
             [&](const Argument& a) { o.faces_dataset = a.text(); });
 }
@@ -60,7 +61,8 @@ void add_reading_options(Option_group& group, Reading_options& o)
       [&](const Argument& a) {
         o.frames_per_second = a.positive_number();
         if (!is_usable_rate(*o.frames_per_second))
-          throw Option_error("--fps " + a.text() + ": no animation has that many frames in a second; from 1e-6 to 1e6 are taken");
+          throw Option_error("--fps " + a.text() +
+                             ": no animation has that many frames in a second; from 1e-6 to 1e6 are taken");
       });
   add_clip_options(group, o);
   group.add("rest", "SHAPE",

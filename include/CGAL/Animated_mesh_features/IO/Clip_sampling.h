@@ -118,7 +118,8 @@ inline std::vector<std::size_t> find_clips(const std::vector<std::string>& names
   for (std::size_t first = 0, end; first <= wanted.size(); first = end + 1) {
     end = (std::min)(wanted.find('+', first), wanted.size());
     const std::string part = wanted.substr(first, end - first);
-    if (part.empty()) throw Option_error(file + ": \"" + wanted + "\" joins a clip with nothing; clips are " + clip_list(names));
+    if (part.empty())
+      throw Option_error(file + ": \"" + wanted + "\" joins a clip with nothing; clips are " + clip_list(names));
     const std::size_t clip = find_clip(names, part, file);
     if (std::find(clips.begin(), clips.end(), clip) != clips.end())
       throw Option_error(file + ": \"" + wanted + "\" names the clip \"" + names[clip] + "\" twice");

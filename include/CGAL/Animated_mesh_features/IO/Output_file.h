@@ -73,8 +73,7 @@ public:
   /// a file of an `Output_folder`, which cares for leftovers and the disk; messages name the place to which it will come.
   Output_file(const std::string& name, const std::string& name_in_messages)
     : Output_file(name, name_in_messages, Output_sync::NEVER, false)
-  {
-  }
+  {}
 
   Output_file(const Output_file&) = delete;
   Output_file& operator=(const Output_file&) = delete;
@@ -197,15 +196,15 @@ private:
     }
     std::FILE* file = nullptr;
     int reason = 0;
-    m_temporary = internal::make_temporary(
-        m_target.parent_path(), m_target, m_lock, [&](const std::filesystem::path& path, std::error_code& error) {
-          if (file != nullptr) std::fclose(file);
-          errno = 0;
-          file = std::fopen(path.string().c_str(), "wbx");
-          reason = errno;
-          error = std::error_code(reason, std::generic_category());
-          return file != nullptr;
-        });
+    m_temporary = internal::make_temporary(m_target.parent_path(), m_target, m_lock,
+                                           [&](const std::filesystem::path& path, std::error_code& error) {
+                                             if (file != nullptr) std::fclose(file);
+                                             errno = 0;
+                                             file = std::fopen(path.string().c_str(), "wbx");
+                                             reason = errno;
+                                             error = std::error_code(reason, std::generic_category());
+                                             return file != nullptr;
+                                           });
     if (file == nullptr) fail(reason);
     use(file);
     if (exists) {

@@ -46,7 +46,8 @@ public:
   void account(std::size_t numbers, const std::string& name) const
   {
     if (numbers > m_numbers_left)
-      m_check.fail(name + ": the file takes more memory than its " + std::to_string(m_bytes) + " bytes of data account for");
+      m_check.fail(name + ": the file takes more memory than its " + std::to_string(m_bytes) +
+                   " bytes of data account for");
     m_numbers_left -= numbers;
   }
 
@@ -126,19 +127,18 @@ private:
   const char* first_byte(const Place& place, std::size_t count, std::size_t width, const std::string& name) const
   {
     const std::size_t element = width * component_size(place);
-    if (element == 0)
-      m_check.fail(name + " has components of an unknown type " + std::to_string(place.component_type));
+    if (element == 0) m_check.fail(name + " has components of an unknown type " + std::to_string(place.component_type));
     if (place.view < 0 || std::size_t(place.view) >= m_model.bufferViews.size())
       m_check.fail(name + ": there is no buffer view " + std::to_string(place.view));
     const tinygltf::BufferView& view = m_model.bufferViews[std::size_t(place.view)];
     if (view.buffer < 0 || std::size_t(view.buffer) >= m_model.buffers.size())
       m_check.fail(name + ": there is no buffer " + std::to_string(view.buffer));
     const std::vector<unsigned char>& data = m_model.buffers[std::size_t(view.buffer)].data;
-    const bool is_inside = view.byteOffset <= data.size() && view.byteLength <= data.size() - view.byteOffset &&
-                           place.offset <= view.byteLength &&
-                           (count == 0 || (element <= view.byteLength - place.offset &&
-                                           (count - 1) <= (view.byteLength - place.offset - element) /
-                                                              byte_stride(place, width)));
+    const bool is_inside =
+        view.byteOffset <= data.size() && view.byteLength <= data.size() - view.byteOffset &&
+        place.offset <= view.byteLength &&
+        (count == 0 || (element <= view.byteLength - place.offset &&
+                        (count - 1) <= (view.byteLength - place.offset - element) / byte_stride(place, width)));
     if (!is_inside) m_check.fail(name + " exceeds its buffer");
     return reinterpret_cast<const char*>(data.data()) + view.byteOffset + place.offset;
   }

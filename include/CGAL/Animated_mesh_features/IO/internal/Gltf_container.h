@@ -37,7 +37,9 @@ inline Gltf_container gltf_container(std::string content, const Gltf_check& chec
     result.text = std::move(content);
     return result;
   }
-  const auto number = [&](std::size_t at) { return load<std::uint32_t>(&content[at], Byte_order::LITTLE_ENDIAN_ORDER); };
+  const auto number = [&](std::size_t at) {
+    return load<std::uint32_t>(&content[at], Byte_order::LITTLE_ENDIAN_ORDER);
+  };
   const std::size_t file_header = 12, chunk_header = 8;
   const std::uint32_t json = 0x4e4f534a, binary = 0x004e4942; // "JSON" and "BIN"
   if (content.size() < file_header + chunk_header) check.fail("is no readable glTF 2.0: it ends in its header");
@@ -50,7 +52,8 @@ inline Gltf_container gltf_container(std::string content, const Gltf_check& chec
     const std::size_t length = number(at), kind = number(at + 4);
     const bool is_first = at == file_header;
     at += chunk_header;
-    if (length > size - at) check.fail("is no readable glTF 2.0: a chunk of " + std::to_string(length) + " bytes exceeds it");
+    if (length > size - at)
+      check.fail("is no readable glTF 2.0: a chunk of " + std::to_string(length) + " bytes exceeds it");
     if (is_first != (kind == json)) check.fail("is no readable glTF 2.0: its first chunk, and no other, holds JSON");
     if (kind == json) result.text = content.substr(at, length);
     if (kind == binary && !result.binary) result.binary = content.substr(at, length);

@@ -88,7 +88,8 @@ private:
       m_check.fail(buffer + ": " + name + " is no file beside the model");
     const std::filesystem::path file = m_folder / name;
     if (m_allowed == Linked_files::BESIDE_MODEL && !is_beside(name))
-      m_check.fail(buffer + ": " + name + " is not in the model's folder, and only that is read (command line: --allow-outside)");
+      m_check.fail(buffer + ": " + name +
+                   " is not in the model's folder, and only that is read (command line: --allow-outside)");
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status)) m_check.fail(buffer + ": there is no file " + file.string());

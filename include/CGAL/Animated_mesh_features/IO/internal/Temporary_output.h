@@ -39,8 +39,8 @@ public:
   Path_lock(const Path_lock&) = delete;
   Path_lock& operator=(const Path_lock&) = delete;
 
-  // Takes the lock, or waits for it if `wait`. `false` if somebody else has it, or `path` is another file by then; also where
-  // there are no locks, if `is_required`.
+  // Takes the lock, or waits for it if `wait`. `false` if somebody else has it, or `path` is another file by then; also
+  // where there are no locks, if `is_required`.
   bool take(const std::filesystem::path& path, bool wait, bool is_required)
   {
 #ifdef CGAL_ANIMATED_MESH_FEATURES_HAS_FLOCK
@@ -103,7 +103,8 @@ inline void remove_leftovers(const std::filesystem::path& folder, const std::fil
                     [](char c) { return c >= '0' && c <= '9'; });
     Path_lock lock;
     std::error_code kept;
-    if (is_number && is_own(i->path()) && lock.take(i->path(), false, true)) std::filesystem::remove_all(i->path(), kept);
+    if (is_number && is_own(i->path()) && lock.take(i->path(), false, true))
+      std::filesystem::remove_all(i->path(), kept);
   }
 }
 

@@ -102,7 +102,8 @@ inline void load_buffers(nlohmann::json& gltf, const std::optional<std::string>&
   }
 }
 
-inline void parse_text(const nlohmann::json& json, Gltf_buffers& buffers, const Gltf_check& check, tinygltf::Model& model)
+inline void parse_text(const nlohmann::json& json, Gltf_buffers& buffers, const Gltf_check& check,
+                       tinygltf::Model& model)
 {
   const std::string text = json.dump();
   if (text.size() > (std::numeric_limits<unsigned int>::max)()) check.fail("is larger than 4 GB");
