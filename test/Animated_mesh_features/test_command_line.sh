@@ -608,6 +608,12 @@ input "the animation has 2 frames; at least 3" f0.obj f1.obj -o x.json
 python3 tool.py cut c 3 three.pc2
 expect 0 "" c.obj three.pc2 -o x.json
 rm x.json
+# Sizes whose squares and products leave the range of numbers.
+for size in 1e80 1e-80; do
+  for f in 0 1 2; do awk -v s=$size '/^v / { print "v", $2 * s, $3 * s, $4 * s; next } 1' f$f.obj >size$f.obj; done
+  input "size0.obj: " size0.obj size1.obj size2.obj -o x.json
+  grep -q "another unit of length is needed" err || fail "a size of $size: $(cat err)"
+done
 mkdir nothing
 input "nothing: the folder has no mesh files" nothing -o x.json
 

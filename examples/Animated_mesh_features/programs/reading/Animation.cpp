@@ -103,6 +103,24 @@ std::string clip_name(const File_data& data)
   return all;
 }
 
+// Fourth powers of lengths, the squares of areas, must be numbers.
+void check_size(const Sequence& sequence, const std::string& frame)
+{
+  const double largest = 1e70, smallest = 1e-70;
+  const std::vector<AMF::Rest_shape::Point>& points = sequence.rest_shape().points();
+  double extent = 0;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (!(points[v].cwiseAbs().maxCoeff() <= largest))
+      throw AMF::Input_error(frame + ": a coordinate of vertex " + std::to_string(v) + " is " +
+                             number(points[v].cwiseAbs().maxCoeff()) + "; above " + number(largest) +
+                             " nothing can be computed: another unit of length is needed");
+    extent = (std::max)(extent, (points[v] - points[0]).cwiseAbs().maxCoeff());
+  }
+  if (extent > 0 && extent < smallest)
+    throw AMF::Input_error(frame + ": the surface is only " + number(extent) + " large; below " + number(smallest) +
+                           " nothing can be computed: another unit of length is needed");
+}
+
 // Takes the rest shape from a file; returns by what it was multiplied.
 double set_rest_file(const Reading_options& o, const File_data& data, Sequence& sequence)
 {
@@ -160,6 +178,7 @@ Animation::Animation(const Reading_options& options, const AMF::IO::Memory_choos
   m_remarks = std::move(data.remarks);
   m_mesh = AMF::IO::to_surface_mesh(data.mesh, data.sources.front());
   m_sequence.emplace(m_mesh, std::move(data.x), std::move(data.y), std::move(data.z), 1 / m_frames_per_second);
+  check_size(*m_sequence, data.frame_name(0));
   m_rest_factor = set_rest(options, data, *m_sequence);
 }
 
