@@ -27,6 +27,10 @@
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/tags.h>
 
+#ifndef _WIN32
+  #include <sys/stat.h>
+#endif
+
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -180,8 +184,30 @@ void test_sampling()
   CHECK_THROWS(Input_error, times({{1}}), "file: clip \"name\" has no duration");
   CHECK_THROWS(Input_error, times({}), "no duration");
   sampling.frames_per_second = 1e300;
-  CHECK_THROWS(Input_error, times({{0, 1}}, sampling), "frames");
+  CHECK_THROWS(Option_error, times({{0, 1}}, sampling), "frames; at most 10000000 are made");
+  // Two keys that are a year apart make no year of frames, unless somebody says so; as many keys do.
+  CHECK_THROWS(Input_error, times({{0, 3e7}}), "clip \"name\" lasts 3e+07 s and would have 7.128e+08 frames");
+  CHECK_THROWS(Input_error, times({{0, 1e-6, 1}}), "would have 1e+06 frames");
+  sampling.frames_per_second = 1;
+  CHECK(times({{0, 500000}}, sampling).size() == 500001);
+  std::vector<double> recorded(300000);
+  for (std::size_t i = 0; i < recorded.size(); ++i) recorded[i] = double(i);
+  sampling.frames_per_second.reset();
+  CHECK_THROWS(Input_error, times({recorded}), "many more than it has keys"); // at 24 in a second
+  for (double& t : recorded) t /= 24;
+  CHECK(times({recorded}).size() == recorded.size());
+  CHECK(times({{0}, {1}}).size() == 48); // no step at all
 
+  typedef std::vector<std::size_t> Clips;
+  CHECK((IO::find_clips({"a", "b", "c"}, "", "f") == Clips{0}) &&
+        (IO::find_clips({"a", "b", "c"}, "c", "f") == Clips{2}));
+  CHECK((IO::find_clips({"a", "b", "c"}, "c+0", "f") == Clips{2, 0}));
+  CHECK((IO::find_clips({"a", "b", "a+b"}, "a+b", "f") == Clips{2})); // names come first
+  CHECK((IO::find_clips({"a", "a", "b"}, "0+b", "f") == Clips{0, 2}));
+  CHECK_THROWS(Option_error, IO::find_clips({"a", "b"}, "a+z", "f"), "there is no clip \"z\"");
+  CHECK_THROWS(Option_error, IO::find_clips({"a", "b"}, "a+", "f"), "joins a clip with nothing");
+  CHECK_THROWS(Option_error, IO::find_clips({"a", "b"}, "a+b+0", "f"), "names the clip \"a\" twice");
+  CHECK_THROWS(Input_error, IO::find_clips({}, "a+b", "f"), "holds no animation");
   CHECK(IO::find_clip({"a", "b", "1"}, "", "f") == 0);
   CHECK(IO::find_clip({"a", "b", "1"}, "b", "f") == 1);
   CHECK(IO::find_clip({"a", "b", "1"}, "1", "f") == 2); // names come first
@@ -216,8 +242,39 @@ void test_sampled_clip()
     CHECK_NEAR(data.x(3, f), 1 + 0.01 * double(f), 1e-15);
     CHECK(data.y(3, f) == 1 && data.z(3, f) == 0);
   }
+  // before it is evaluated, asked about what is left at least
+  std::vector<std::size_t> asked;
+  const auto refuse = [&](std::size_t n, std::size_t f) -> std::shared_ptr<Field_memory> {
+    asked = {n, f};
+    throw Error("too much");
+  };
+  sampling.frames = IO::Clip_sampling::most_frames;
+  CHECK_THROWS(Error, IO::sample_clip<double>(square(), sampling, "file", refuse), "too much");
+  CHECK((asked == std::vector<std::size_t>{4, IO::Clip_sampling::most_frames}));
   CHECK(data.remarks.size() == 1 && data.remarks[0] == "6 vertices of the file became 4, 1 edge was sewn");
   CHECK(data.frame_name(7) == "file, frame 7");
+  // Two clips together are what one with the channels of both is.
+  Model two = square();
+  two.clips.push_back(
+      {"grow", {channel(0, Model::Path::SCALE, track(Interpolation::LINEAR, {0, 2}, {1, 1, 1, 1, 3, 1}, 3))}});
+  Model one = two;
+  one.clips[0].channels.push_back(one.clips[1].channels[0]);
+  sampling.frames = 101;
+  sampling.clip = "move+1";
+  const auto together = IO::sample_clip<double>(two, sampling, "file");
+  CHECK(together.clip == 0 && together.further_clips == std::vector<std::size_t>{1});
+  sampling.clip.clear();
+  const auto expected = IO::sample_clip<double>(one, sampling, "file");
+  CHECK(together.times == expected.times && together.times.back() == 2);
+  for (std::size_t v = 0; v < 4; ++v)
+    for (std::size_t f = 0; f < 101; ++f)
+      CHECK(together.x(v, f) == expected.x(v, f) && together.y(v, f) == expected.y(v, f) &&
+            together.z(v, f) == expected.z(v, f));
+  two.clips[1].channels[0] = two.clips[0].channels[0];
+  sampling.clip = "0+1";
+  CHECK_THROWS(Option_error, IO::sample_clip<double>(two, sampling, "file"),
+               "file: the clips \"move\" and \"grow\" do not go together, both move node");
+  sampling.clip.clear();
   std::ostringstream map;
   IO::write_vertex_map(map, data.origins, 4);
   CHECK(map.str() == "file_vertex,part,part_vertex,vertex\n0,0,0,0\n1,0,1,1\n3,0,3,1\n2,0,2,2\n5,0,5,2\n4,0,4,3\n");
@@ -314,6 +371,124 @@ void test_welding()
 }
 
 #ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
+// A triangle whose points are in `buffer`; `more` are further members of the file.
+std::string triangle_gltf(const std::string& buffer, const std::string& more = "")
+{
+  return "{\"asset\": {\"version\": \"2.0\"}, \"buffers\": [{" + buffer +
+         "\"byteLength\": 36}], \"bufferViews\": [{\"buffer\": 0, \"byteLength\": 36}], \"accessors\": "
+         "[{\"bufferView\": "
+         "0, \"componentType\": 5126, \"type\": \"VEC3\", \"count\": 3}], \"nodes\": [{\"mesh\": 0}], \"meshes\": "
+         "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}}]}]" +
+         more + "}";
+}
+
+// A model names the files that are opened: only those of its buffers are, only beside it, and only regular ones.
+void test_linked_files()
+{
+  const Temporary_folder folder;
+  const std::string bytes(36, '\0');
+  folder.write("secret.bin", bytes);
+  folder.write("model/sub/a b.bin", bytes + "more");
+  folder.write("current/here.bin", bytes);
+  const auto read = [&](const std::string& uri, IO::Linked_files linked = IO::Linked_files::BESIDE_MODEL) {
+    const std::string file = folder.write("model/m.gltf", triangle_gltf("\"uri\": \"" + uri + "\", "));
+    const Model model = IO::read_gltf(file, linked);
+    CHECK(model.geometries.at(0).triangles.size() == 1 && model.linked_files.size() == 1);
+    return model.linked_files[0];
+  };
+  CHECK(std::filesystem::equivalent(read("sub/a%20b.bin"), folder.path("model/sub/a b.bin")));
+  for (const std::string& uri : {std::string("../secret.bin"), std::string("sub/../../secret.bin"),
+                                 std::string("%2e%2e/secret.bin"), folder.path("secret.bin")}) {
+    CHECK_THROWS(Input_error, read(uri), "is not in the model's folder");
+    CHECK(std::filesystem::equivalent(read(uri, IO::Linked_files::ANYWHERE), folder.path("secret.bin")));
+  }
+  CHECK_THROWS(Input_error, read("file:///etc/passwd", IO::Linked_files::ANYWHERE), "is no file beside the model");
+  CHECK_THROWS(Input_error, read("http://a.b/c.bin"), "is no file beside the model");
+  CHECK_THROWS(Input_error, read("sub"), "is no regular file");
+  CHECK_THROWS(Input_error, read(""), "is no regular file");
+  CHECK_THROWS(Input_error, read("away.bin"), "buffer 0: there is no file");
+  folder.write("model/short.bin", "short");
+  CHECK_THROWS(Input_error, read("short.bin"), "short.bin has 5 bytes, not 36");
+  const std::filesystem::path current = std::filesystem::current_path();
+  std::filesystem::current_path(folder.path("current"));
+  CHECK_THROWS(Input_error, read("here.bin"), "buffer 0: there is no file");
+  std::filesystem::current_path(current);
+  #ifndef _WIN32
+  std::filesystem::create_symlink("../secret.bin", folder.path("model/link.bin"));
+  CHECK_THROWS(Input_error, read("link.bin"), "is not in the model's folder");
+  read("link.bin", IO::Linked_files::ANYWHERE);
+  CHECK(mkfifo(folder.path("model/pipe").c_str(), 0600) == 0); // whoever opens it waits for ever
+  CHECK_THROWS(Input_error, read("pipe", IO::Linked_files::ANYWHERE), "pipe is no regular file");
+  const std::string data = "\"uri\": \"data:application/octet-stream;base64," + std::string(48, 'A') + "\", ";
+  const std::string images = ", \"images\": [{\"uri\": \"pipe\"}, {\"uri\": \"../secret.bin\"}, 7]";
+  CHECK(IO::read_gltf(folder.write("model/i.gltf", triangle_gltf(data, images))).linked_files.empty());
+  #endif
+}
+
+// What is much larger than the file is refused before memory is taken for it.
+void test_swollen_gltf()
+{
+  const Temporary_folder folder;
+  const auto read = [&](const std::string& text) { return IO::read_gltf(folder.write("s.gltf", text)); };
+  const std::string data = "\"uri\": \"data:application/octet-stream;base64," + std::string(48, 'A') + "\", ";
+  const auto nested = [&](std::size_t levels) {
+    return triangle_gltf(data, ", \"extras\": " + std::string(levels, '[') + "\"]\\\"[\"" + std::string(levels, ']'));
+  };
+  CHECK(read(nested(63)).geometries.size() == 1);
+  CHECK_THROWS(Input_error, read(nested(64)), "is nested too deeply");
+  CHECK_THROWS(Input_error, read(nested(200000)), "is nested too deeply");
+  CHECK_THROWS(Input_error, read(std::string(200000, '[')), "is nested too deeply");
+
+  const auto with_skin = [&](const std::string& accessor) {
+    std::string text = triangle_gltf(data, ", \"skins\": [{\"joints\": [0], \"inverseBindMatrices\": 1}]");
+    return text.replace(text.find("}], \"nodes\""), 2, "}, {" + accessor + "}]");
+  };
+  const std::string sparse = ", \"sparse\": {\"count\": 1, \"indices\": {\"bufferView\": 0, \"componentType\": 5121}, "
+                             "\"values\": {\"bufferView\": 0}}";
+  const std::string matrices = "\"componentType\": 5126, \"type\": \"MAT4\", \"count\": ";
+  CHECK_THROWS(Input_error, read(with_skin(matrices + "67108864" + sparse)),
+               "has more elements than the file has bytes");
+  CHECK_THROWS(Input_error, read(with_skin("\"bufferView\": 0, " + matrices + "36")), "exceeds its buffer");
+  // what many refer to
+  std::string uses = "{\"mesh\": 0}";
+  for (int i = 0; i < 11; ++i) uses += ", " + uses;
+  folder.write("points.bin", std::string(36000, '\0'));
+  std::string many = triangle_gltf("\"uri\": \"points.bin\", ");
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    for (std::size_t i; (i = many.find(from)) != std::string::npos;) many.replace(i, from.size(), to);
+  };
+  replace("\"byteLength\": 36}", "\"byteLength\": 36000}");
+  replace("\"count\": 3}", "\"count\": 3000}");
+  CHECK(read(many).geometries.at(0).points.size() == 3000);
+  replace("[{\"mesh\": 0}]", "[ " + uses + "]");
+  CHECK_THROWS(Input_error, read(many), "takes more memory than its 36000 bytes of data account for");
+}
+
+void test_binary_gltf()
+{
+  const Temporary_folder folder;
+  const auto chunk = [](const char* kind, const std::string& data) {
+    return little_endian(std::uint32_t(data.size())) + std::string(kind, 4) + data;
+  };
+  const auto file = [](const std::string& chunks) {
+    return "glTF" + little_endian(std::uint32_t(2)) + little_endian(std::uint32_t(12 + chunks.size())) + chunks;
+  };
+  const auto read = [&](const std::string& content) { return IO::read_gltf(folder.write("m.glb", content)); };
+  std::string text = triangle_gltf("");
+  text += std::string((4 - text.size() % 4) % 4, ' ');
+  const std::string json = chunk("JSON", text), other = chunk("abcd", "1234"), bytes(36, '\0');
+  CHECK(read(file(json + other + chunk("BIN\0", bytes))).geometries.at(0).triangles.size() == 1);
+  CHECK_THROWS(Input_error, read(file(json)), "buffer 0 has no data");
+  CHECK_THROWS(Input_error, read(file(json + chunk("BIN\0", bytes.substr(4)))), "buffer 0 has 36 bytes, the file 32");
+  CHECK_THROWS(Input_error, read(file(chunk("BIN\0", bytes) + json)), "its first chunk, and no other, holds JSON");
+  CHECK_THROWS(Input_error, read(file(json + chunk("BIN\0", bytes)).substr(0, 300)), "its header announces");
+  CHECK_THROWS(Input_error, read(file(json + little_endian(std::uint32_t(0xfffffff0)) + "BIN?")), "exceeds it");
+  // the data of the file is that of one buffer: a thousand others do not copy it
+  text = triangle_gltf("\"byteLength\": 36}, {");
+  text += std::string((4 - text.size() % 4) % 4, ' ');
+  CHECK_THROWS(Input_error, read(file(chunk("JSON", text) + chunk("BIN\0", bytes))), "buffer 1 has no data");
+}
+
 void test_bad_gltf()
 {
   const Temporary_folder folder;
@@ -325,7 +500,19 @@ void test_bad_gltf()
   CHECK_THROWS(Input_error, read("glTF\1\0\0\0"), "bad.gltf: is no readable glTF 2.0");
   CHECK_THROWS(Input_error, read("{\"asset\": {\"version\": \"1.0\"}}"), "is glTF 1.0");
   CHECK_THROWS(Input_error, read(gltf(", \"extensionsRequired\": [\"KHR_draco_mesh_compression\"]")),
-               "needs the extension KHR_draco_mesh_compression");
+               "needs KHR_draco_mesh_compression, which is not supported");
+  CHECK_THROWS(Input_error, read(gltf(", \"extensionsRequired\": [\"EXT_meshopt_compression\"]")),
+               "needs EXT_meshopt_compression, which is not supported");
+  CHECK_THROWS(Input_error, read(gltf(", \"extensionsRequired\": [\"ABC_xyz\"]")), "needs the extension ABC_xyz");
+  // by name also where it is not said to be required
+  CHECK_THROWS(
+      Input_error,
+      read(gltf(", \"accessors\": [{\"count\": 3}], \"meshes\": [{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, "
+                "\"extensions\": {\"KHR_draco_mesh_compression\": {}}}]}]")),
+      "needs KHR_draco_mesh_compression");
+  CHECK_THROWS(Input_error,
+               read(gltf(", \"buffers\": [{\"byteLength\": 4, \"extensions\": {\"EXT_meshopt_compression\": {}}}]")),
+               "buffer 0 has no data; it needs EXT_meshopt_compression");
   CHECK(read(gltf(", \"extensionsRequired\": [\"KHR_materials_unlit\"]")).nodes.empty());
   CHECK_THROWS(Input_error, read(gltf(", \"buffers\": [{\"uri\": \"away.bin\", \"byteLength\": 4}]")), "away.bin");
   CHECK_THROWS(Input_error, read(gltf(", \"nodes\": [{\"children\": [1]}]")), "child 1 is not there");
@@ -555,6 +742,9 @@ int main(int argc, char* argv[])
   test_welding();
 #ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
   test_bad_gltf();
+  test_linked_files();
+  test_swollen_gltf();
+  test_binary_gltf();
 #else
   std::cout << "SKIPPED: glTF, since tinygltf is not here" << std::endl;
 #endif

@@ -375,6 +375,44 @@ void test_overflow()
   CHECK_THROWS(Amf::Numerical_error, canonical(mesh_of(s), frames), "canonical shape");
 }
 
+// Goes on as often as it is told.
+struct Impatient
+{
+  int patience;
+  int calls = 0;
+  void begin(Amf::Stage) {}
+  bool progress(Amf::Stage stage, double)
+  {
+    CHECK(stage == Amf::Stage::REST_SHAPE);
+    return ++calls <= patience;
+  }
+  void end(Amf::Stage) {}
+};
+
+// In the middle, too: a visitor is asked every tenth of a second.
+void test_cancelled()
+{
+  const Shape s = tube(100, 150, 10);
+  const std::vector<Points> frames(3, s.points);
+  const Amf::Frame_sequence<Mesh> sequence(mesh_of(s), frames_of(frames), 1. / 30);
+  for (int patience : {0, 1}) {
+    Impatient visitor{patience};
+    CHECK_THROWS(Amf::Cancelled, Amf::canonical_shape(sequence.rest_shape(), sequence.trajectories(), visitor), "");
+    CHECK(visitor.calls == patience + 1);
+  }
+  // a task that would not end
+  Impatient visitor{3};
+  const Amf::Task_loop<CGAL::Parallel_if_available_tag, Impatient> loop(visitor, Amf::Stage::REST_SHAPE);
+  CHECK_THROWS(Amf::Cancelled,
+               loop(2,
+                    [](std::size_t) {
+                      while (true) Amf::internal::cancellation_point();
+                    }),
+               "");
+  CHECK(visitor.calls == 4);
+  Amf::internal::cancellation_point(); // where nobody can be asked, nothing happens
+}
+
 int main()
 {
   test_turning_tube();
@@ -384,5 +422,6 @@ int main()
   test_generic_deformation();
   test_hinge();
   test_overflow();
+  test_cancelled();
   return test_support::test_result();
 }

@@ -240,6 +240,11 @@ usage "choose among hencky, green-lagrange, stretch, largest-eigenvalue" c.obj c
 usage "calibrated, published" c.obj c.pc2 --preset wrong
 usage "above 1" c.obj c.pc2 --threshold 1.5
 usage "not positive" c.obj c.pc2 --fps 0
+usage "no animation has that many frames in a second" c.obj c.pc2 --fps 1e-300
+usage "no animation has that many frames in a second" c.obj c.pc2 --fps 1e300
+usage "the range of tau up to 1e+09 goes beyond 10 times the duration of the animation" c.obj c.pc2 --tau-range :1e9
+usage "goes beyond 10 times the diameter" c.obj c.pc2 --sigma-range :1e300
+usage "levels; at most 500 are made" c.obj c.pc2 --tau-range 1e-300:
 usage "not positive" c.obj c.pc2 --ball-radius 0%
 usage "MIN:MAX" c.obj c.pc2 --sigma-range 3
 usage "MIN:MAX" c.obj c.pc2 --tau-range :
@@ -273,6 +278,22 @@ usage "standard output" c.obj c.pc2 --vtk -
 usage "same file" c.obj c.pc2 -o json:x --vtk x
 usage "same file" c.obj c.pc2 -o x.json --glb x.glb --plot x.glb
 usage "standard output" c.obj c.pc2 --glb - --plot -
+usage "standard output" c.obj c.pc2 -o - -o csv:/dev/stdout
+# The same file by another name: an input, a member of a folder, the rest shape, another output.
+ln c.obj hard.obj
+ln -s c.pc2 soft.pc2
+ln -s away.json dangling.json
+mkdir few
+for f in 0 1 2; do cp c.obj few/$f.obj; done
+for name in c.pc2 ./c.pc2 few/../c.pc2 soft.pc2; do usage "is the input" c.obj c.pc2 -o x.json --glb $name; done
+usage "is the input hard.obj" hard.obj c.pc2 -o json:c.obj --rest c.obj
+usage "is the input" c.obj c.pc2 -o json:few/1.obj --rest few/1.obj
+usage "is the input" few/ -o x.json --vtk few
+usage "is the input" few --fps 10 -o x.json -o ply:few/../few/2.obj
+usage "same file" c.obj c.pc2 -o x.json -o csv:few/../x.json
+usage "same file" c.obj c.pc2 -o json:away.json -o csv:dangling.json
+usage "same file" c.obj c.pc2 -o x.json --vtk new --write-field strain:few/../new/
+rm -r hard.obj soft.pc2 dangling.json few
 usage "goes with --html" c.obj c.pc2 --html-every 2
 usage "at least 1" c.obj c.pc2 --html v.html --html-every 0
 usage "is no number" c.obj c.pc2 --html v.html --html-every all
@@ -587,6 +608,12 @@ input "the animation has 2 frames; at least 3" f0.obj f1.obj -o x.json
 python3 tool.py cut c 3 three.pc2
 expect 0 "" c.obj three.pc2 -o x.json
 rm x.json
+# Sizes whose squares and products leave the range of numbers.
+for size in 1e80 1e-80; do
+  for f in 0 1 2; do awk -v s=$size '/^v / { print "v", $2 * s, $3 * s, $4 * s; next } 1' f$f.obj >size$f.obj; done
+  input "size0.obj: " size0.obj size1.obj size2.obj -o x.json
+  grep -q "another unit of length is needed" err || fail "a size of $size: $(cat err)"
+done
 mkdir nothing
 input "nothing: the folder has no mesh files" nothing -o x.json
 
@@ -616,6 +643,11 @@ output "file/x.json: cannot write" c.obj c.pc2 -o file/x.json
 output "nowhere/scene: cannot write" c.obj c.pc2 -o x.json --vtk nowhere/scene
 output "file: cannot write" c.obj c.pc2 -o x.json --vtk file
 output "nowhere/s.npy: cannot write" c.obj c.pc2 -o x.json --write-field strain:nowhere/s.npy
+# The limit of the size of a file ends the program as a full disk does.
+checks=$((checks + 1))
+(ulimit -f 1; "$program" c.obj c.pc2 --fps 10 -q --write-field strain:s.npy -o x.json 2>err)
+[[ $? -eq 4 ]] && grep -qF "s.npy: cannot write: File too large" err || fail "a file that becomes too large: $(cat err)"
+nothing_written
 if [[ -c /dev/full ]]; then
   for format in json csv ply; do output "/dev/full: cannot write" c.obj c.pc2 -o $format:/dev/full; done
   output "/dev/full: cannot write" c.obj c.pc2 -o x.json --glb /dev/full
@@ -649,6 +681,15 @@ code="$(python3 tool.py interrupt "$program" big.obj big.pc2 --balls heat-global
 nothing_written
 [[ "$(cat old.json)" == old ]] || fail "an old file was replaced in spite of an interruption"
 [[ -z "$(find . -name 'interrupted*')" ]] || fail "a scene is there in spite of an interruption"
+# What a killed program leaves, the next one removes.
+"$program" big.obj big.pc2 -q --balls heat-global --threads 1 -o x.json --vtk killed &
+until [[ -n "$(find . -name '.*.tmp')" ]] || ! kill -0 $! 2>/dev/null; do sleep 0.02; done
+kill -KILL $! 2>/dev/null
+wait $! 2>/dev/null
+[[ -n "$(find . -name '.*.tmp')" ]] || fail "a killed program left nothing: this tests nothing"
+expect 0 "" c.obj c.pc2 --fps 10 --no-sync -o x.json --vtk killed
+no_temporaries
+rm -r x.json killed
 
 [[ $failed -eq 0 ]] && echo "detect_features: $checks checks, all as expected"
 exit $failed

@@ -27,6 +27,31 @@ else
   echo "SKIPPED: AnimatedMorphCube, since Debian's package assimp-testmodels is not here"
 fi
 
+# The program: a buffer of a model is an input that no output replaces; names do not reach the terminal as they are.
+python3 - <<'PYTHON'
+import json, struct
+floats = [0, 0, 0, 1, 0, 0, 0, 1, 0] + [0, 1, 2] + [0, 0, 0, 0, 0, 1, 0, 0, 0]
+open("linked.bin", "wb").write(struct.pack("<21f", *floats))
+views = [dict(buffer=0, byteOffset=o, byteLength=n) for o, n in ((0, 36), (36, 12), (48, 36))]
+accessors = [dict(bufferView=i, componentType=5126, count=3, type=t) for i, t in enumerate(("VEC3", "SCALAR", "VEC3"))]
+json.dump(dict(asset=dict(version="2.0"), buffers=[dict(uri="linked.bin", byteLength=84)], bufferViews=views,
+               accessors=accessors, nodes=[dict(mesh=0)], meshes=[dict(primitives=[dict(attributes=dict(POSITION=0))])],
+               animations=[dict(name="a\x1b[31mred\n", samplers=[dict(input=1, output=2)],
+                                channels=[dict(sampler=0, target=dict(node=0, path="translation"))])]),
+          open("linked.gltf", "w"))
+PYTHON
+expect 2 "is the input" linked.gltf -o json:linked.bin
+[[ "$(wc -c <linked.bin)" -eq 84 ]] || fail "a buffer of the model was overwritten"
+expect 2 "clips are 0 \"a" linked.gltf --clip none
+LC_ALL=C grep -q $'\x1b' err && fail "a command for the terminal, from the name of a clip"
+mkdir elsewhere
+mv linked.bin elsewhere
+sed -i 's,linked.bin,../elsewhere/linked.bin,' linked.gltf
+mkdir model
+mv linked.gltf model
+expect 3 "is not in the model's folder" model/linked.gltf
+expect 2 "there is no clip" model/linked.gltf --allow-outside --clip none
+
 # Other formats: that the program knows them, or says what it lacks.
 fbx=/usr/share/assimp/models/FBX/animation_with_skeleton.fbx
 echo text >text.fbx

@@ -19,6 +19,7 @@
   #include <fcntl.h>
   #include <sys/resource.h>
   #include <sys/stat.h>
+  #include <sys/wait.h>
   #include <unistd.h>
 #endif
 
@@ -157,6 +158,47 @@ void test_links()
   CHECK(folder.number_of_entries() == 5);
 }
 
+// A process that is killed leaves its temporary; the next one for the same file removes it, but none that is in use.
+void test_leftovers()
+{
+  const Temporary_folder folder;
+  const std::string killed = ".x.json.123.tmp", other = ".y.json.123.tmp", similar = ".x.json.12a.tmp";
+  for (const std::string& name : {killed, other, similar}) folder.write(name, "left");
+  folder.write(".x.json.7.tmp/inner/file", "left by a folder");
+  fs::create_symlink("keep", folder.path(".x.json.8.tmp"));
+  CHECK(mkfifo(folder.path(".x.json.9.tmp").c_str(), 0600) == 0); // is not ours, and not waited for
+  {
+    IO::Output_file first(folder.path("x.json")), second(folder.path("x.json"), IO::Output_sync::NEVER);
+    CHECK(!fs::exists(folder.path(killed)) && !fs::exists(folder.path(".x.json.7.tmp")));
+    first.stream() << "first";
+    second.stream() << "second";
+    first.commit();
+    CHECK(folder.read("x.json") == "first");
+    write(folder.path("x.json"), "third");
+    second.commit(); // is still there
+    CHECK(folder.read("x.json") == "second");
+  }
+  CHECK(folder.read(other) == "left" && folder.read(similar) == "left");
+  CHECK(folder.number_of_entries() == 5);
+}
+
+// A writer that is killed indeed.
+void test_killed_writer()
+{
+  const Temporary_folder folder;
+  const pid_t child = fork();
+  if (child == 0) {
+    IO::Output_file file(folder.path("x"));
+    file.stream() << text << std::flush;
+    ::kill(::getpid(), SIGKILL);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  CHECK(WIFSIGNALED(status) && folder.number_of_entries() == 1 && !fs::exists(folder.path("x")));
+  write(folder.path("x"));
+  CHECK(folder.read("x") == text && folder.number_of_entries() == 1);
+}
+
 // The file size limit stands in for a full disk.
 void test_full_disk()
 {
@@ -267,6 +309,8 @@ int main()
 #ifdef __unix__
   test_permissions();
   test_links();
+  test_leftovers();
+  test_killed_writer();
   test_full_disk();
   test_special_files();
   test_standard_output();

@@ -219,6 +219,33 @@ void test_output_folder()
       folder.path("a/x"));
 }
 
+// Two processes that both found no folder of that name.
+void test_two_into_one_new_folder()
+{
+  const Temporary_folder folder;
+  IO::Output_folder first(folder.path("a")), second(folder.path("a"), IO::Output_sync::NEVER);
+  put(first, "1", "first");
+  put(first, "2", "first");
+  put(second, "1", "second");
+  put(second, "3", "second");
+  first.commit();
+  CHECK(folder.read("a/1") == "first" && folder.read("a/2") == "first");
+  second.commit();
+  CHECK(folder.read("a/1") == "second" && folder.read("a/2") == "first" && folder.read("a/3") == "second");
+  CHECK(folder.number_of_entries() == 1);
+  // what a killed process has left, within the folder and beside it
+  folder.write("a/.a.5.tmp/1", "left");
+  folder.write(".a.6.tmp/1", "left");
+  {
+    IO::Output_folder third(folder.path("a"));
+    put(third, "1", "third");
+    IO::Output_folder fourth(folder.path("a")); // leaves the third alone
+    third.commit();
+  }
+  CHECK(folder.read("a/1") == "third" && folder.number_of_entries() == 1);
+  CHECK(!std::filesystem::exists(folder.path("a/.a.5.tmp")));
+}
+
 } // namespace
 
 int main()
@@ -229,5 +256,6 @@ int main()
   test_text_of_files();
   test_vtk_folder();
   test_output_folder();
+  test_two_into_one_new_folder();
   return test_result();
 }

@@ -77,6 +77,8 @@ mkdir half.pc2
 expect 4 "half.pc2" cylinder --vertices 500 -o half
 [[ "$(cat half.obj)" == old ]] || fail "half an animation was written"
 [[ -z "$(find . -name '*.tmp')" ]] || fail "temporary files are left"
+ln -s same.obj same.pc2
+expect 2 "same file" cylinder --vertices 500 -o same
 
 [[ $failed -eq 0 ]] && echo "make_animation: all as expected"
 exit $failed

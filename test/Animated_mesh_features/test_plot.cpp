@@ -11,11 +11,11 @@
 
 #include "drawing/Canvas.h"
 #include "drawing/decimal.h"
-#include "drawing/displayable_text.h"
 #include "plots/ticks.h"
 #include "plots/write_plot.h"
 #include "rendering/Image.h"
 #include "rendering/Palette.h"
+#include "running/displayable_text.h"
 #include "scenes/Shown_scene.h"
 
 #include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
@@ -81,12 +81,16 @@ void test_numbers_for_people()
 void test_displayable_text()
 {
   const std::string box = "\xef\xbf\xbd";
-  // one, two, three and four bytes, the first and the last of each; what is next to surrogates
-  const std::string good =
-      " ~\xc2\x80\xdf\xbf\xe0\xa0\x80\xef\xbf\xbf\xf0\x90\x80\x80\xf4\x8f\xbf\xbf\xed\x9f\xbf\xee\x80\x80";
+  // one, two, three and four bytes, the first and the last of each; what is next to surrogates and to controls
+  const std::string good = " ~"
+                           "\xc2\xa0\xe2\x80\xa7\xe2\x80\xaf\xe2\x81\xa5\xe2\x81\xaa\xdf\xbf\xe0\xa0\x80\xef\xbf\xbf"
+                           "\xf0\x90\x80\x80\xf4\x8f\xbf\xbf\xed\x9f\xbf\xee\x80\x80";
   CHECK(displayable_text(good) == good);
   CHECK(displayable_text("").empty());
   CHECK(displayable_text(std::string("a\0\t\n\x7fz", 6)) == "a" + box + box + box + box + "z");
+  for (const char* control :
+       {"\xc2\x80", "\xc2\x9b", "\xc2\x9f", "\xe2\x80\xa8", "\xe2\x80\xae", "\xe2\x81\xa6", "\xe2\x81\xa9"})
+    CHECK(displayable_text(control) == box);
   CHECK(displayable_text("\xff") == box && displayable_text("\x80") == box);
   CHECK(displayable_text("\xe2\x82") == box + box); // cut off
   CHECK(displayable_text("\xe2\x82z") == box + box + "z");

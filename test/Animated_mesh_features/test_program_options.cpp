@@ -14,6 +14,7 @@
 #include "options/Length.h"
 #include "options/Option_groups.h"
 #include "options/Range.h"
+#include "running/tell.h"
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
@@ -67,6 +68,18 @@ void test_lengths_and_ranges()
   CHECK(range(argument(":5%"), length).max->is_percentage);
   for (const char* text : {":", "1", "1:2:3"}) CHECK_THROWS(Option_error, range(argument(text), seconds), "MIN:MAX");
   CHECK_THROWS(Option_error, range(argument("0:1"), seconds), "not positive");
+}
+
+// Names come from files, and may be anything.
+void test_terminal_text()
+{
+  const std::string box = "\xef\xbf\xbd";
+  CHECK(terminal_text("").empty() && terminal_text("\n\n") == "\n\n" &&
+        terminal_text("caf\xc3\xa9\nb") == "caf\xc3\xa9\nb");
+  CHECK(terminal_text("a\x1b[31mRED\a\tb\n") == "a" + box + "[31mRED" + box + box + "b\n");
+  const std::string line = "begin" + std::string(100000, 'x') + "end", shown = terminal_text(line + "\nnext");
+  CHECK(shown.size() < 4100 && shown.compare(0, 6, "beginx") == 0 && shown.find("xend\nnext") != std::string::npos);
+  CHECK(terminal_text(std::string(4000, 'x')) == std::string(4000, 'x'));
 }
 
 // A program of two parts, which writes down in which order its arguments are used.
@@ -177,6 +190,7 @@ int main()
   test_numbers();
   test_sizes();
   test_lengths_and_ranges();
+  test_terminal_text();
   test_groups();
   test_method();
   test_reading();

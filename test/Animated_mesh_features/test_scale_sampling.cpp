@@ -260,6 +260,25 @@ void test_errors()
     sampling.tau = range;
     CHECK_THROWS(Amf::Option_error, levels(sampling), "tau");
   }
+  // next to nothing, or beyond all: refused at once rather than computed for ever
+  Amf::Fixed_ratio_sampling extreme;
+  extreme.tau.max = 1e9;
+  CHECK_THROWS(Amf::Option_error, levels(extreme), "the range of tau up to 1e+09 goes beyond 10 times the duration");
+  extreme.tau = {1e-300, 0};
+  CHECK_THROWS(Amf::Option_error, levels(extreme), "levels; at most 500 are made");
+  extreme = Amf::Fixed_ratio_sampling();
+  extreme.sigma.max = 1e300;
+  CHECK_THROWS(Amf::Option_error, levels(extreme), "goes beyond 10 times the diameter of the rest shape");
+  extreme = Amf::Fixed_ratio_sampling();
+  extreme.tau_ratio = 1 + 1e-9;
+  CHECK_THROWS(Amf::Option_error, levels(extreme), "levels; at most 500 are made");
+  CHECK_THROWS(Amf::Option_error,
+               extreme(shape, 48, frame_duration, Filter_of_limit{infinity}, Amf::Gaussian_temporal_filter()),
+               "is not finite");
+  CHECK(Amf::Every_smoothing_count::largest_count(infinity) == 1000000000);
+  CHECK_THROWS(Amf::Option_error, Amf::internal::number_of_passes(1, 0), "inf passes");
+  CHECK_THROWS(Amf::Option_error, Amf::internal::number_of_passes(1e10, 1), "at most 1e+09 are made");
+  CHECK(Amf::internal::number_of_passes(5, 2) == 3 && Amf::internal::number_of_passes(0, 2) == 0);
   for (const double ratio : {1., 0.5, 0., -2., nan}) {
     Amf::Fixed_ratio_sampling sampling;
     sampling.sigma_ratio = ratio;

@@ -32,7 +32,7 @@ public:
   /*!
   is called between a `begin()` and an `end()` of the stage, before each portion of the work and after the last one: at
   least 30 times a stage, less often on meshes of less than 2000 vertices or with policies of the user's own that do not
-  use their loops.
+  use their loops; where that would leave more than a tenth of a second in between, it is called then, too.
 
   \param stage which began last.
   \param fraction of the whole stage that is done; from 0 to 1 and never less than before.

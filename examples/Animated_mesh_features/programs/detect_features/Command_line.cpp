@@ -7,6 +7,7 @@
 #include "detect_features/Command_line.h"
 
 #include "options/Option_groups.h"
+#include "output/check_outputs.h"
 
 #include <sstream>
 
@@ -47,6 +48,7 @@ Command_line parse_command_line(int argc, const char* const* argv)
   check(c.run);
   check(c.method);
   complete(c.output);
+  Programs::check_outputs(c.output.paths(), c.reading.paths());
   c.output.is_curvature_used = c.method.alpha.value_or(1) != 0;
   return c;
 }

@@ -12,6 +12,7 @@
 #include "output/Html_file.h"
 #include "output/Result_files.h"
 #include "output/Wanted_fields.h"
+#include "output/check_outputs.h"
 #include "reading/Animation.h"
 #include "reading/Memory_plan.h"
 #include "reading/animation_report.h"
@@ -19,10 +20,10 @@
 #include "running/Monitor.h"
 #include "running/Stage_log.h"
 #include "running/Thread_limit.h"
+#include "running/tell.h"
 
 #include <cstddef>
 #include <filesystem>
-#include <iostream>
 #include <string>
 
 using namespace Programs;
@@ -34,11 +35,6 @@ namespace {
 Memory_plan memory_plan(const Run_options& o)
 {
   return Memory_plan(o.memory, o.scratch_directory.empty() ? default_scratch_directory() : o.scratch_directory);
-}
-
-void tell(const std::string& text)
-{
-  std::cerr << text << std::flush;
 }
 
 // The animation and the features as writers of scenes take them.
@@ -60,17 +56,18 @@ void run(const Command_line& c)
   Stage_log log;
   log.begin("reading");
   Memory_plan plan = memory_plan(c.run);
+  std::string page_notice;
   const Animation animation(c.reading, [&](std::size_t vertices, std::size_t frames) {
-    const std::string notice = html_notice(c.output, vertices, frames);
-    if (!c.run.quiet) tell(notice);
+    page_notice = html_notice(c.output, vertices, frames);
     return plan.decide(vertices, frames, c.output.extra_fields());
   });
   log.end();
   const Sequence& sequence = animation.sequence();
+  check_outputs(c.output.paths(), animation.files());
   // now rather than after hours of computation
   check_picture_frames(c.output.picture, sequence.number_of_frames());
   if (c.run.verbose) tell(animation_report(c.reading, animation) + plan.report() + "\n");
-  const std::string notices = clip_notice(c.reading, animation) + counts_notice(sequence, c.method);
+  const std::string notices = page_notice + clip_notice(c.reading, animation) + counts_notice(sequence, c.method);
   if (!c.run.quiet) tell(notices);
 
   const Interruption interruption; // before there is anything to be left on a disk

@@ -6,7 +6,7 @@
 
 #include "drawing/Canvas.h"
 
-#include "drawing/displayable_text.h"
+#include "running/displayable_text.h"
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 

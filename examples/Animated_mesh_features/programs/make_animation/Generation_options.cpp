@@ -92,7 +92,7 @@ frame rate: whoever reads it has to know.
 
 )" << groups
      << R"(
-Exit codes: 0 success, 1 failure, 2 wrong usage, 4 the files cannot be written.
+Exit codes: 0 success, 1 failure, 2 wrong usage, 4 the files cannot be written, 130 interrupted.
 )";
   return os.str();
 }

@@ -8,6 +8,9 @@
 
 #include "make_animation/generate_figure.h"
 #include "make_animation/set_frames.h"
+#include "output/check_outputs.h"
+#include "running/Interruption.h"
+#include "running/tell.h"
 
 #include "generators/bending_cylinder.h"
 
@@ -52,12 +55,15 @@ IO::Indexed_mesh rest_shape(const Generated_animation& animation)
 
 void write(const Generated_animation& animation, const std::string& base)
 {
+  Programs::check_outputs({base + ".obj", base + ".pc2"}, {});
+  const Programs::Interruption interruption; // now that there is something to be left on a disk
   // Both are complete, down to the last byte, before either takes its place.
   IO::Output_file obj(base + ".obj"), pc2(base + ".pc2");
   IO::write_obj(obj.stream(), rest_shape(animation));
   obj.stream().flush();
   obj.check();
   IO::write_pc2(pc2.stream(), num_vertices(animation.mesh), animation.frames.size(), [&](std::size_t f, float* xyz) {
+    Programs::Interruption::check();
     for (const auto& p : animation.frames[f])
       for (int i = 0; i < 3; ++i) *xyz++ = float(p[i]);
   });
@@ -73,9 +79,10 @@ void run(const Generation_options& o)
 {
   const Generated_animation animation = o.body == Body::FIGURE ? generate_figure(o) : generate_cylinder(o);
   write(animation, o.base);
-  std::cout << o.base << ".obj: " << num_vertices(animation.mesh) << " vertices, " << num_faces(animation.mesh)
+  const std::string base = Programs::terminal_text(o.base);
+  std::cout << base << ".obj: " << num_vertices(animation.mesh) << " vertices, " << num_faces(animation.mesh)
             << " triangles\n"
-            << o.base << ".pc2: " << animation.frames.size() << " frames, " << o.frames_per_second << " in a second"
+            << base << ".pc2: " << animation.frames.size() << " frames, " << o.frames_per_second << " in a second"
             << std::endl;
 }
 

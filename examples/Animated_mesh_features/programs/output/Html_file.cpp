@@ -39,9 +39,9 @@ void check_viewer()
 class Html_file : public Scene_file
 {
 public:
-  Html_file(const std::string& path, std::size_t frame_step)
-    : m_file(path)
-    , m_frame_step(frame_step)
+  Html_file(const std::string& path, const Output_options& o)
+    : m_file(path, o.sync())
+    , m_frame_step(o.html_frame_step)
   {}
 
   void write(const Shown_scene& scene) override
@@ -76,14 +76,14 @@ std::string html_notice(const Output_options& o, std::size_t number_of_vertices,
          " frames, so that it stays small enough for a browser; --html-every 1 takes all of them\n";
 }
 
-std::unique_ptr<Scene_file> open_html_file(const std::string& path, std::size_t frame_step)
+std::unique_ptr<Scene_file> open_html_file(const std::string& path, const Output_options& o)
 {
   check_viewer();
 #ifdef DETECT_FEATURES_WITH_VIEWER
-  return std::make_unique<Html_file>(path, frame_step);
+  return std::make_unique<Html_file>(path, o);
 #else
   (void)path;
-  (void)frame_step;
+  (void)o;
   return nullptr;
 #endif
 }

@@ -22,7 +22,7 @@ namespace Programs {
 std::string html_notice(const Output_options& options, std::size_t number_of_vertices, std::size_t number_of_frames);
 
 // throws Option_error, Output_error.
-std::unique_ptr<Scene_file> open_html_file(const std::string& path, std::size_t frame_step);
+std::unique_ptr<Scene_file> open_html_file(const std::string& path, const Output_options& options);
 
 } // namespace Programs
 

@@ -15,7 +15,6 @@
 #include <cctype>
 #include <filesystem>
 #include <optional>
-#include <set>
 
 using CGAL::Animated_mesh_features::Option_error;
 
@@ -167,6 +166,22 @@ bool Output_options::has_scene(Scene_format format) const
   return std::any_of(scenes.begin(), scenes.end(), [&](const auto& s) { return s.kind == format; });
 }
 
+CGAL::Animated_mesh_features::IO::Output_sync Output_options::sync() const
+{
+  typedef CGAL::Animated_mesh_features::IO::Output_sync Output_sync;
+  return no_sync ? Output_sync::NEVER : Output_sync::BEFORE_RENAME;
+}
+
+std::vector<std::string> Output_options::paths() const
+{
+  std::vector<std::string> all;
+  for (const auto& f : features) all.push_back(f.path);
+  for (const auto& f : fields) all.push_back(f.path);
+  for (const auto& s : scenes) all.push_back(s.path);
+  if (!vertex_map.empty()) all.push_back(vertex_map);
+  return all;
+}
+
 void add_output_options(Option_group& group, Output_options& o)
 {
   add_result_options(group, o);
@@ -176,6 +191,10 @@ void add_output_options(Option_group& group, Output_options& o)
             "also write which vertices of the file, by part, the vertices of the results are made of (CSV); models for "
             "pictures split vertices at seams, and split ones are welded on reading",
             [&](const Argument& a) { o.vertex_map = a.text(); });
+  group.add_switch(
+      "no-sync", o.no_sync,
+      "do not wait for the disk before files take their places: faster on slow disks, but after a power failure "
+      "files may be incomplete");
 }
 
 void complete(Output_options& o)
@@ -183,17 +202,6 @@ void complete(Output_options& o)
   check_picture_options(o.picture);
   // whoever asks for a scene does not ask for JSON on the standard output
   if (o.features.empty() && o.scenes.empty()) o.features.push_back({Format::JSON, "-"});
-  std::set<std::string> paths;
-  const auto check = [&](const std::string& path) {
-    if (path.empty()) throw Option_error("an output file has no name");
-    if (paths.insert(path).second) return;
-    throw Option_error(path == "-" ? std::string("only one output can go to the standard output")
-                                   : "two outputs go to the same file, " + path);
-  };
-  for (const auto& f : o.features) check(f.path);
-  for (const auto& f : o.fields) check(f.path);
-  for (const auto& s : o.scenes) check(s.path);
-  if (!o.vertex_map.empty()) check(o.vertex_map);
 }
 
 } // namespace Programs

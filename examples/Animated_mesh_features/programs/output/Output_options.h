@@ -10,6 +10,8 @@
 #include "options/Names.h"
 #include "pictures/Picture_options.h"
 
+#include <CGAL/Animated_mesh_features/IO/Output_file.h>
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -60,6 +62,7 @@ struct Output_options
   std::vector<Requested_file<Scene_format>> scenes;
   std::size_t html_frame_step = 0; // 0: as the size of the page allows
   Picture_options picture;
+  bool no_sync = false; // do not wait for the disk
 
   // whether the curvature is part of the deformation. Who leaves it out does not want to wait for it: no scene shows it
   // then, unless it is written.
@@ -74,12 +77,17 @@ struct Output_options
   std::size_t extra_fields() const;
 
   bool has_scene(Scene_format format) const;
+
+  CGAL::Animated_mesh_features::IO::Output_sync sync() const;
+
+  // the paths of all outputs, in their order
+  std::vector<std::string> paths() const;
 };
 
 void add_output_options(Option_group& group, Output_options& options);
 
 // To be called when all options are there: whoever asks for no file at all gets JSON on the standard output.
-// throws Option_error if outputs are in each other's way.
+// throws Option_error if options of pictures do not go together.
 void complete(Output_options& options);
 
 } // namespace Programs

@@ -28,19 +28,20 @@ void flush(IO::Output_file& file)
 } // namespace
 
 template <class Kind>
-std::vector<Result_files::Open_file<Kind>> Result_files::opened(const std::vector<Requested_file<Kind>>& requested)
+std::vector<Result_files::Open_file<Kind>> Result_files::opened(const std::vector<Requested_file<Kind>>& requested,
+                                                                IO::Output_sync sync)
 {
   std::vector<Open_file<Kind>> files;
-  for (const auto& r : requested) files.push_back({r.kind, std::make_unique<Output_file>(r.path)});
+  for (const auto& r : requested) files.push_back({r.kind, std::make_unique<Output_file>(r.path, sync)});
   return files;
 }
 
 Result_files::Result_files(const Output_options& options)
   : m_scenes(options)
-  , m_fields(opened(options.fields))
-  , m_features(opened(options.features))
+  , m_fields(opened(options.fields, options.sync()))
+  , m_features(opened(options.features, options.sync()))
 {
-  if (!options.vertex_map.empty()) m_vertex_map = std::make_unique<Output_file>(options.vertex_map);
+  if (!options.vertex_map.empty()) m_vertex_map = std::make_unique<Output_file>(options.vertex_map, options.sync());
 }
 
 void Result_files::write_field(Field kind, const Values& field)

@@ -46,7 +46,8 @@ private:
   };
 
   template <class Kind>
-  static std::vector<Open_file<Kind>> opened(const std::vector<Requested_file<Kind>>& requested);
+  static std::vector<Open_file<Kind>> opened(const std::vector<Requested_file<Kind>>& requested,
+                                             CGAL::Animated_mesh_features::IO::Output_sync sync);
 
   Scene_files m_scenes;
   std::vector<Open_file<Field>> m_fields;

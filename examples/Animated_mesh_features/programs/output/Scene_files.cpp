@@ -34,8 +34,8 @@ namespace {
 class Vtk_folder : public Scene_file
 {
 public:
-  explicit Vtk_folder(const std::string& path)
-    : m_folder(path)
+  Vtk_folder(const std::string& path, AMF::IO::Output_sync sync)
+    : m_folder(path, sync)
   {}
 
   void write(const Shown_scene& scene) override { write_vtk(m_folder, scene); }
@@ -50,8 +50,8 @@ template <class Write>
 class Single_file : public Scene_file
 {
 public:
-  Single_file(const std::string& path, Write write)
-    : m_file(path)
+  Single_file(const std::string& path, AMF::IO::Output_sync sync, Write write)
+    : m_file(path, sync)
     , m_write(std::move(write))
   {}
 
@@ -69,9 +69,9 @@ private:
 };
 
 template <class Write>
-std::unique_ptr<Scene_file> single_file(const std::string& path, Write write)
+std::unique_ptr<Scene_file> single_file(const std::string& path, AMF::IO::Output_sync sync, Write write)
 {
-  return std::make_unique<Single_file<Write>>(path, std::move(write));
+  return std::make_unique<Single_file<Write>>(path, sync, std::move(write));
 }
 
 #ifdef DETECT_FEATURES_WITH_PICTURES
@@ -91,19 +91,20 @@ std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested, 
 {
   switch (requested.kind) {
   case Scene_format::HTML:
-    return open_html_file(requested.path, o.html_frame_step);
+    return open_html_file(requested.path, o);
   case Scene_format::VTK:
-    return std::make_unique<Vtk_folder>(requested.path);
+    return std::make_unique<Vtk_folder>(requested.path, o.sync());
   case Scene_format::GLB:
-    return single_file(requested.path, [](std::ostream& os, const Shown_scene& scene) { write_glb(os, scene); });
+    return single_file(requested.path, o.sync(),
+                       [](std::ostream& os, const Shown_scene& scene) { write_glb(os, scene); });
 #ifdef DETECT_FEATURES_WITH_PICTURES
   case Scene_format::PLOT:
-    return single_file(requested.path,
+    return single_file(requested.path, o.sync(),
                        [format = plot_format(requested.path)](std::ostream& os, const Shown_scene& scene) {
                          write_plot(os, scene, format);
                        });
   case Scene_format::PNG:
-    return single_file(requested.path, [options = o.picture](std::ostream& os, const Shown_scene& scene) {
+    return single_file(requested.path, o.sync(), [options = o.picture](std::ostream& os, const Shown_scene& scene) {
       write_png(os, scene, options);
     });
 #else

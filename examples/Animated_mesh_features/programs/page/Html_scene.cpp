@@ -9,6 +9,7 @@
 #include "page/deflated.h"
 #include "page/write_base64.h"
 #include "rendering/Palette.h"
+#include "running/Interruption.h"
 
 #include <CGAL/Animated_mesh_features/IO/write_json.h>
 
@@ -156,12 +157,14 @@ std::string Html_scene::positions() const
   residuals.reserve(3 * m_scene.sequence.number_of_vertices() * m_frames.size());
   std::array<std::vector<std::uint16_t>, 3> before;
   before.fill(std::vector<std::uint16_t>(m_scene.sequence.number_of_vertices()));
-  for (const std::size_t f : m_frames)
+  for (const std::size_t f : m_frames) {
+    Interruption::check();
     for (std::size_t c = 0; c < 3; ++c) {
       m_positions.get_frame(c, f, now);
       m_prediction.append_residuals(residuals, before[c], now);
       before[c].swap(now);
     }
+  }
   return byte_planes(residuals);
 }
 
@@ -170,6 +173,7 @@ std::vector<std::uint8_t> Html_scene::residuals(const Quantized_field& field) co
   std::vector<std::uint8_t> residuals, now, before(m_scene.sequence.number_of_vertices());
   residuals.reserve(before.size() * m_frames.size());
   for (const std::size_t f : m_frames) {
+    Interruption::check();
     field.get_frame(f, now);
     m_prediction.append_residuals(residuals, before, now);
     before.swap(now);

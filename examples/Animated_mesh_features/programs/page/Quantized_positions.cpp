@@ -6,6 +6,8 @@
 
 #include "page/Quantized_positions.h"
 
+#include "running/Interruption.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,7 +21,8 @@ Quantized_positions::Quantized_positions(const Trajectories& animation)
   const double infinity = std::numeric_limits<double>::infinity();
   m_origin.fill(infinity);
   double longest = 0;
-  for (std::size_t f = 0; f < m_corners.size(); ++f)
+  for (std::size_t f = 0; f < m_corners.size(); ++f) {
+    Interruption::check();
     for (std::size_t c = 0; c < 3; ++c) {
       double min = infinity, max = -infinity;
       for (std::size_t v = 0; v < animation.number_of_vertices(); ++v) {
@@ -31,6 +34,7 @@ Quantized_positions::Quantized_positions(const Trajectories& animation)
       longest = (std::max)(longest, max - min);
       m_origin[c] = (std::min)(m_origin[c], min);
     }
+  }
   // Rounding both ends can add a step.
   const double most_steps = 65534;
   m_step = longest > 0 ? longest / most_steps : 1;

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -74,19 +75,50 @@ double frame_duration(const std::vector<double>& times, const std::string& file)
   return (times.back() - times.front()) / double(steps.size());
 }
 
+std::string number(double x)
+{
+  std::ostringstream os;
+  os << x;
+  return os.str();
+}
+
 double frames_per_second(const Reading_options& o, const File_data& data)
 {
   if (o.frames_per_second) return *o.frames_per_second;
   return data.times.empty() ? default_frames_per_second : 1 / frame_duration(data.times, data.sources.back());
 }
 
-// of the clip that was read
+// of the clip that was read, or of several together: as --clip takes it
 std::string clip_name(const File_data& data)
 {
   if (data.clips.empty()) return std::string();
-  const std::string& name = data.clips[data.clip];
-  const bool is_unique = std::count(data.clips.begin(), data.clips.end(), name) == 1;
-  return name.empty() || !is_unique ? std::to_string(data.clip) : name;
+  const auto name = [&](std::size_t clip) {
+    const std::string& n = data.clips[clip];
+    const bool is_unique = std::count(data.clips.begin(), data.clips.end(), n) == 1;
+    const bool is_split = !data.further_clips.empty() && n.find('+') != std::string::npos;
+    return n.empty() || !is_unique || is_split ? std::to_string(clip) : n;
+  };
+  std::string all = name(data.clip);
+  for (std::size_t clip : data.further_clips) all += "+" + name(clip);
+  return all;
+}
+
+// Fourth powers of lengths, the squares of areas, must be numbers.
+void check_size(const Sequence& sequence, const std::string& frame)
+{
+  const double largest = 1e70, smallest = 1e-70;
+  const std::vector<AMF::Rest_shape::Point>& points = sequence.rest_shape().points();
+  double extent = 0;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (!(points[v].cwiseAbs().maxCoeff() <= largest))
+      throw AMF::Input_error(frame + ": a coordinate of vertex " + std::to_string(v) + " is " +
+                             number(points[v].cwiseAbs().maxCoeff()) + "; above " + number(largest) +
+                             " nothing can be computed: another unit of length is needed");
+    extent = (std::max)(extent, (points[v] - points[0]).cwiseAbs().maxCoeff());
+  }
+  if (extent > 0 && extent < smallest)
+    throw AMF::Input_error(frame + ": the surface is only " + number(extent) + " large; below " + number(smallest) +
+                           " nothing can be computed: another unit of length is needed");
 }
 
 // Takes the rest shape from a file; returns by what it was multiplied.
@@ -134,12 +166,19 @@ Animation::Animation(const Reading_options& options, const AMF::IO::Memory_choos
     throw AMF::Input_error(data.sources.back() + ": the animation has " + std::to_string(data.frames) +
                            " frames; at least 3 are needed, since a feature has a frame before and one after it");
   m_frames_per_second = Programs::frames_per_second(options, data);
+  if (!is_usable_rate(m_frames_per_second))
+    throw AMF::Input_error(data.sources.back() + ": the times of the frames make " + number(m_frames_per_second) +
+                           " frames in a second; --fps says how many there are");
   m_clip_name = Programs::clip_name(data);
   m_clips = data.clips;
+  m_files = data.sources;
+  m_files.insert(m_files.end(), data.linked_files.begin(), data.linked_files.end());
+  if (!options.rest.file.empty()) m_files.push_back(options.rest.file);
   m_origins = std::move(data.origins);
   m_remarks = std::move(data.remarks);
   m_mesh = AMF::IO::to_surface_mesh(data.mesh, data.sources.front());
   m_sequence.emplace(m_mesh, std::move(data.x), std::move(data.y), std::move(data.z), 1 / m_frames_per_second);
+  check_size(*m_sequence, data.frame_name(0));
   m_rest_factor = set_rest(options, data, *m_sequence);
 }
 

@@ -23,8 +23,8 @@ public:
   // `limit` bytes, or what is available; `scratch_directory` is used only if there is a limit.
   Memory_plan(std::optional<std::size_t> limit, std::string scratch_directory);
 
-  // Called once, before anything of the size of the animation is allocated. `fields` of the size of a coordinate are
-  // kept besides those of every detection.
+  // Called before anything of the size of the animation is allocated. `fields` of the size of a coordinate are
+  // kept besides those of every detection. The last call counts.
   // returns where coordinates are to live, and with them all fields.
   // throws Error if the memory will not do, with the estimate; Output_error if the scratch directory will not.
   std::shared_ptr<CGAL::Animated_mesh_features::Field_memory> decide(std::size_t number_of_vertices,

@@ -82,7 +82,9 @@ AMF::IO::Animation_file_data<double> read_model_file(const Reading_options& o, M
   AMF::IO::check_readable(file);
   if (format == Model_format::GLTF) {
 #ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
-    return AMF::IO::sample_clip<double>(AMF::IO::read_gltf(file), sampling(o), file, choose_memory);
+    const AMF::IO::Linked_files linked =
+        o.allow_outside ? AMF::IO::Linked_files::ANYWHERE : AMF::IO::Linked_files::BESIDE_MODEL;
+    return AMF::IO::sample_clip<double>(AMF::IO::read_gltf(file, linked), sampling(o), file, choose_memory);
 #else
     throw_without(file, "tinygltf", "GLTF");
 #endif

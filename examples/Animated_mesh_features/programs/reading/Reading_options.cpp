@@ -29,11 +29,11 @@ void set_rest(const Argument& argument, Rest_choice& rest)
 
 void add_clip_options(Option_group& group, Reading_options& o)
 {
-  group.add(
-      "clip", "NAME",
-      "the clip of an animated model, or the sequence of an HDF5 file, by name, or by number from 0 (default: the "
-      "first; --verbose lists them)",
-      [&](const Argument& a) { o.clip = a.text(); });
+  group.add("clip", "NAME",
+            "the clip of an animated model, or the sequence of an HDF5 file, by name, or by number from 0; several "
+            "clips that "
+            "play together as A+B (default: the first; --verbose lists them)",
+            [&](const Argument& a) { o.clip = a.text(); });
   group.add("frames", "N",
             "equidistant frames to make of a clip, from its first to its last key (default: the keys' own rate, their "
             "commonest step, refined by a whole number where that gives less than 48 frames or 24 in a second)",
@@ -42,6 +42,10 @@ void add_clip_options(Option_group& group, Reading_options& o)
       "there-and-back", o.there_and_back,
       "play the clip to its end and back again: a gesture that is stored one way only grows to its end, and "
       "has no moment of its own that could be a feature");
+  group.add_switch(
+      "allow-outside", o.allow_outside,
+      "read the data of a glTF model also where it names files outside of the model's folder: for models that "
+      "you trust");
   group.add("faces", "NAME", "the dataset of triangles in an HDF5 file (default: faces)",
             [&](const Argument& a) { o.faces_dataset = a.text(); });
 }
@@ -54,7 +58,12 @@ void add_reading_options(Option_group& group, Reading_options& o)
       "fps", "R",
       "frames in a second (default: as the times in an MDD file tell; for a clip see --frames; 60 for HDF5, as D-FAUST "
       "has it; otherwise 30). A clip is sampled at this rate",
-      [&](const Argument& a) { o.frames_per_second = a.positive_number(); });
+      [&](const Argument& a) {
+        o.frames_per_second = a.positive_number();
+        if (!is_usable_rate(*o.frames_per_second))
+          throw Option_error("--fps " + a.text() +
+                             ": no animation has that many frames in a second; from 1e-6 to 1e6 are taken");
+      });
   add_clip_options(group, o);
   group.add("rest", "SHAPE",
             "the undeformed shape: a mesh FILE of the same connectivity, frame:N counted from 0, or average, the "
@@ -63,6 +72,18 @@ void add_reading_options(Option_group& group, Reading_options& o)
   group.add_switch("rescale-rest", o.rest.rescale,
                    "scale the rest FILE so that its median edge is as long as that of the frames");
   group.add_switch("triangulate", o.triangulate, "cut faces with more than three corners into triangles");
+}
+
+std::vector<std::string> Reading_options::paths() const
+{
+  std::vector<std::string> all = inputs;
+  if (!rest.file.empty()) all.push_back(rest.file);
+  return all;
+}
+
+bool is_usable_rate(double frames_per_second)
+{
+  return frames_per_second >= 1e-6 && frames_per_second <= 1e6;
 }
 
 void check(const Reading_options& o)

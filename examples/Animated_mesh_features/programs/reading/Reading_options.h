@@ -37,12 +37,19 @@ struct Reading_options
   std::optional<std::size_t> clip_frames;
   bool there_and_back = false;
   std::string faces_dataset; // of HDF5; empty: the usual one
+  bool allow_outside = false; // also read buffers of a model that are not in its folder
 
   Rest_choice rest;
+
+  // files and folders that are named: the inputs and the rest shape
+  std::vector<std::string> paths() const;
 };
 
 // Adds the options; the inputs themselves are no options.
 void add_reading_options(Option_group& group, Reading_options& options);
+
+// From a frame in eleven days to a million in a second: beyond, squares of times leave the range of numbers.
+bool is_usable_rate(double frames_per_second);
 
 // To be called when all options are there.
 // throws Option_error if there is no input, or options do not go together.

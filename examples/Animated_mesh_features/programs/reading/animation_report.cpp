@@ -44,7 +44,7 @@ std::string clip_notice(const Reading_options& options, const Animation& animati
 {
   if (animation.clips().size() < 2 || !options.clip.empty()) return std::string();
   return "clip " + animation.clip_name() + ", the first of " + AMF::IO::clip_list(animation.clips()) +
-         "; --clip chooses another\n";
+         "; --clip chooses another, or several together: A+B\n";
 }
 
 AMF::IO::Result_description animation_description(const Animation& animation)

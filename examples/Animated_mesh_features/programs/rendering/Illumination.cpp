@@ -7,6 +7,7 @@
 #include "rendering/Illumination.h"
 
 #include "rendering/Depth_map.h"
+#include "running/Interruption.h"
 
 #include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
 
@@ -32,9 +33,11 @@ std::vector<Shading> illuminated(const std::vector<Shading_point>& points, const
   for (std::size_t first = 0; first < lights.size(); first += maps_at_a_time) {
     const std::size_t n = (std::min)(maps_at_a_time, lights.size() - first);
     parallel_for<Parallel>(0, n, [&](std::size_t i) {
+      Interruption::check();
       maps[i] = std::make_unique<Depth_map>(surface, centre, radius, lights[first + i].direction);
     });
     parallel_for<Parallel>(0, (points.size() + block - 1) / block, [&](std::size_t b) {
+      Interruption::check();
       for (std::size_t p = b * block; p < (std::min)(points.size(), (b + 1) * block); ++p) {
         const Shading_point& s = points[p];
         for (std::size_t i = 0; i < n; ++i) {

@@ -11,6 +11,7 @@
 #include "rendering/Lights.h"
 #include "rendering/Palette.h"
 #include "rendering/Rasteriser.h"
+#include "running/Interruption.h"
 
 #include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
 
@@ -60,6 +61,7 @@ std::vector<Shading_point> points_of_fragments(const Visible_surface& visible, c
           float(b[0]) * surface.values[t[0]] + float(b[1]) * surface.values[t[1]] + float(b[2]) * surface.values[t[2]];
   };
   CGAL::Animated_mesh_features::parallel_for<CGAL::Parallel_if_available_tag>(0, visible.height(), [&](std::size_t y) {
+    Interruption::check();
     for (std::size_t x = 0; x < visible.width(); ++x)
       for (std::size_t i = visible.first(x, y); i < visible.first(x + 1, y); ++i) shade(i, x, y);
   });
@@ -142,6 +144,7 @@ Image render(const Surface& surface, const Camera& camera, const Stage_set& set)
 
   Image image(width, height, Colour::Zero());
   CGAL::Animated_mesh_features::parallel_for<CGAL::Parallel_if_available_tag>(0, height, [&](std::size_t y) {
+    Interruption::check();
     const std::vector<std::size_t> row = painter.in_row(y);
     std::vector<std::size_t> spheres;
     for (std::size_t x = 0; x < width; ++x) {

@@ -30,6 +30,7 @@ void catch_signal(int signal)
   if (sigaction(signal, nullptr, &old) != 0 || old.sa_handler == SIG_IGN) return;
   struct sigaction action = {};
   action.sa_handler = receive_signal; // without SA_RESTART: waiting for the reader of a pipe ends as well
+  action.sa_flags = SA_RESETHAND; // who asks for it twice does not want to wait; the next run removes what is left
   sigaction(signal, &action, nullptr);
 #endif
 }

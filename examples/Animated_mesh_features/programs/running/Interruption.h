@@ -10,7 +10,8 @@
 namespace Programs {
 
 // Turns the signals that ask a program to end into a flag, so that it ends by an exception and removes its temporary
-// files. A signal that is ignored already, as those of a program in the background are, stays ignored.
+// files; the second one of a kind ends it at once. A signal that is ignored already, as those of a program in the
+// background are, stays ignored.
 class Interruption
 {
 public:

@@ -7,10 +7,12 @@
 #include "running/run_program.h"
 
 #include "running/Interruption.h"
+#include "running/tell.h"
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/config.h>
 
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -25,11 +27,11 @@ int failed(const std::string& name, const std::string& message, int exit_code)
 {
   // Waiting for the reader of a pipe ends by an error, too.
   if (Interruption::signal() != 0) {
-    std::cerr << name << ": interrupted" << std::endl;
+    tell(name + ": interrupted\n");
     return INTERRUPTED + Interruption::signal();
   }
-  std::cerr << name << ": " << message << std::endl;
-  if (exit_code == BAD_USAGE) std::cerr << "Try " << name << " --help" << std::endl;
+  tell(name + ": " + message + "\n");
+  if (exit_code == BAD_USAGE) tell("Try " + name + " --help\n");
   return exit_code;
 }
 
@@ -37,6 +39,9 @@ int failed(const std::string& name, const std::string& message, int exit_code)
 
 int run_program(const std::string& name, const std::function<void()>& run)
 {
+#ifdef SIGXFSZ
+  std::signal(SIGXFSZ, SIG_IGN); // a file that becomes too large is an error of writing like any other
+#endif
   try {
     run();
     return std::cout ? SUCCESS : CANNOT_WRITE;

@@ -6,6 +6,8 @@
 
 #include "scenes/for_each_frame.h"
 
+#include "running/Interruption.h"
+
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <algorithm>
@@ -54,6 +56,7 @@ void for_each_frame(const Shown_scene& scene, const std::function<void(const Sce
           batch[f].fields[i][v] = static_cast<float>((*scene.fields[i].values)(v, begin + f));
     for (std::size_t f = 0; f < size; ++f) {
       batch[f].index = begin + f;
+      Interruption::check();
       check_frame(batch[f]);
       use(batch[f]);
     }

@@ -15,6 +15,12 @@
 #include <CGAL/Animated_mesh_features/Animation/internal/Surface_components.h>
 #include <CGAL/Animated_mesh_features/Animation/internal/Surface_plan.h>
 #include <CGAL/Animated_mesh_features/Animation/internal/nearest_rotation.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Stage.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Stage_scope.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <vector>
@@ -22,41 +28,12 @@
 namespace CGAL {
 namespace Animated_mesh_features {
 
-/*!
-\ingroup PkgAnimatedMeshFeaturesAnimation
+namespace internal {
 
-The shape that an animation deforms about: the surface whose edge lengths and dihedral angles are, as closely as a
-surface can have them, the averages over all frames (arithmetic means of lengths, circular means of angles).
-
-A mean of positions would not do: where a part turns, it shrinks towards the axis. Lengths and angles do not change
-under rotation, and they determine the surface up to a rigid motion \cgalCite{lipman2005}; Froehlich and Botsch blend
-shapes by them \cgalCite{froehlich2011}. The surface is rebuilt as by Wang, Liu and Tong \cgalCite{wang2012}: one frame
-for each triangle from a sparse linear system, then positions from another. As averages need not belong to any surface,
-rounds of local and global steps follow until angles and lengths are in balance.
-
-Each connected component is rebuilt on its own, starting from the frame of the animation in which it is closest to the
-averages, and is moved rigidly to where it fits its first frame best. An isolated vertex is put to its mean position. A
-triangle of zero height, or one that collapses in some frame, continues its neighbours.
-
-If all frames are the same surface up to rigid motions, the result is that surface to rounding (some `1e-11` of its
-size); surfaces that are the same but for a bend to either side give the straight one.
-
-\param connectivity edges and triangles; the points of this shape are not used.
-\param trajectories the positions of all vertices in all frames.
-\returns a point for each vertex, in the mesh's unit of length. It depends on frames and connectivity only, bit for bit:
-  not on the order of faces, nor on threads, of which it uses one.
-
-\throw Numerical_error if a factorisation fails, as with coordinates whose squares overflow.
-
-Complexity: `O(F N)` for the averages, two sparse Cholesky factorisations, of size 3 x faces and of size N, with
-`O(N log N)` entries, and some 50 to 200 rounds of `O(N log N)`.
-About 1.5 s for 8,400 vertices and 48 frames, 7 s for 33,700; 35 s and 0.9 GB for 100,000 and 10 frames.
-*/
 template <class FT>
-std::vector<Rest_shape::Point> canonical_shape(const Rest_shape& connectivity, const Vertex_trajectories<FT>& trajectories)
+std::vector<Rest_shape::Point> assembled_canonical_shape(const Rest_shape& shape,
+                                                         const Vertex_trajectories<FT>& trajectories)
 {
-  using namespace internal;
-  const Rest_shape& shape = connectivity;
   const Triangle_adjacency adjacency(shape);
   const std::vector<Surface_component> components = surface_components(shape);
   const Edge_measures mean = mean_edge_measures(shape, trajectories, adjacency);
@@ -93,16 +70,63 @@ std::vector<Rest_shape::Point> canonical_shape(const Rest_shape& connectivity, c
   return result;
 }
 
+} // namespace internal
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesAnimation
+
+The shape that an animation deforms about: the surface whose edge lengths and dihedral angles are, as closely as a
+surface can have them, the averages over all frames (arithmetic means of lengths, circular means of angles).
+
+A mean of positions would not do: where a part turns, it shrinks towards the axis. Lengths and angles do not change
+under rotation, and they determine the surface up to a rigid motion \cgalCite{lipman2005}; Froehlich and Botsch blend
+shapes by them \cgalCite{froehlich2011}. The surface is rebuilt as by Wang, Liu and Tong \cgalCite{wang2012}: one frame
+for each triangle from a sparse linear system, then positions from another. As averages need not belong to any surface,
+rounds of local and global steps follow until angles and lengths are in balance.
+
+Each connected component is rebuilt on its own, starting from the frame of the animation in which it is closest to the
+averages, and is moved rigidly to where it fits its first frame best. An isolated vertex is put to its mean position. A
+triangle of zero height, or one that collapses in some frame, continues its neighbours.
+
+If all frames are the same surface up to rigid motions, the result is that surface to rounding (some `1e-11` of its
+size); surfaces that are the same but for a bend to either side give the straight one.
+
+\param connectivity edges and triangles; the points of this shape are not used.
+\param trajectories the positions of all vertices in all frames.
+\returns a point for each vertex, in the mesh's unit of length. It depends on frames and connectivity only, bit for bit:
+  not on the order of faces, nor on threads, of which it uses one.
+
+\param visitor is asked in the middle, too; a model of `DetectionVisitor`, by default one that does nothing.
+
+\throw Numerical_error if a factorisation fails, as with coordinates whose squares overflow.
+\throw Cancelled if the visitor asks for it: within a tenth of a second, but for the two factorisations.
+
+Complexity: `O(F N)` for the averages, two sparse Cholesky factorisations, of size 3 x faces and of size N, with
+`O(N log N)` entries, and some 50 to 200 rounds of `O(N log N)`.
+About 1.5 s for 8,400 vertices and 48 frames, 7 s for 33,700; 35 s and 0.9 GB for 100,000 and 10 frames.
+*/
+template <class FT>
+std::vector<Rest_shape::Point> canonical_shape(const Rest_shape& connectivity, const Vertex_trajectories<FT>& trajectories,
+                                               Any_visitor visitor = Any_visitor())
+{
+  std::vector<Rest_shape::Point> result;
+  const internal::Stage_scope stage(visitor, Stage::REST_SHAPE);
+  const Task_loop<CGAL::Sequential_tag, Any_visitor> loop(visitor, Stage::REST_SHAPE);
+  loop(1, [&](std::size_t) { result = internal::assembled_canonical_shape(connectivity, trajectories); });
+  return result;
+}
+
 /*!
 \ingroup PkgAnimatedMeshFeaturesAnimation
 
 takes the canonical shape of all frames as rest shape of an animation.
 \throw Numerical_error if the surface cannot be rebuilt.
+\throw Cancelled if the visitor asks for it.
 */
 template <class TriangleMesh, class FT>
-void set_canonical_rest_shape(Frame_sequence<TriangleMesh, FT>& animation)
+void set_canonical_rest_shape(Frame_sequence<TriangleMesh, FT>& animation, Any_visitor visitor = Any_visitor())
 {
-  animation.set_rest_shape(canonical_shape(animation.rest_shape(), animation.trajectories()), Rest_unit::KEEP);
+  animation.set_rest_shape(canonical_shape(animation.rest_shape(), animation.trajectories(), visitor), Rest_unit::KEEP);
 }
 
 } // namespace Animated_mesh_features

@@ -117,9 +117,12 @@ Response_extrema find_response_extrema(
     const internal::Stage_scope stage(visitor, Stage::SCALE_SPACE);
     // a range of no length, so that the fraction is 0 until there are levels
     const Task_loop<ConcurrencyTag, Any_visitor> preparation(visitor, Stage::SCALE_SPACE, 0, 0);
-    options.spatial_filter.initialize(shape, levels.space_variances, preparation);
+    // as a task, so that it can be cancelled in the middle
+    preparation(1, [&](std::size_t) {
+      options.spatial_filter.initialize(shape, levels.space_variances, preparation);
+      options.temporal_filter.initialize(frames, frame_duration, levels.time_variances);
+    });
   }
-  options.temporal_filter.initialize(frames, frame_duration, levels.time_variances);
   Response_extrema result;
   for (std::size_t k = 0; k < levels.space_variances.size(); ++k)
     result.sigma_levels.push_back(levels.sigma_factor * std::sqrt(options.spatial_filter.variance(k)));

@@ -13,9 +13,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <locale>
+#include <map>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -32,6 +36,9 @@ of the keys themselves, the commonest one: animations that were recorded or bake
 are sparse, since the curves between them say the rest, it is divided by the smallest whole number that gives at least
 `least_frames` frames and `least_frames_per_second`, so that keys are still met. At a rate of one's own, what is left
 after the last whole frame is left out.
+
+A file of a few bytes may have two keys that are a year apart: more than `most_unasked_frames` are not made unless a track
+has as many keys, or whoever reads the file asks for them.
 */
 struct Clip_sampling
 {
@@ -41,7 +48,13 @@ struct Clip_sampling
   /// as many as it takes for some temporal scales between a frame and a sixth of the duration.
   static constexpr std::size_t least_frames = 48;
 
-  std::string clip;                        ///< name, or index from 0; empty: the first clip
+  /// more than an hour at any usual rate.
+  static constexpr std::size_t most_unasked_frames = 250000;
+
+  /// as many as may be asked for: four days at 30 in a second. Beyond, a rate is a mistake.
+  static constexpr std::size_t most_frames = 10000000;
+
+  std::string clip;                        ///< name, or index from 0; several, joined by +; empty: the first clip
   std::optional<std::size_t> frames;       ///< how many; at least 2
   std::optional<double> frames_per_second; ///< if `frames` is not given
 
@@ -91,6 +104,58 @@ inline std::size_t find_clip(const std::vector<std::string>& names, const std::s
 /*!
 \ingroup PkgAnimatedMeshFeaturesModels
 
+the indices of the clips that `wanted` names, several of them joined by `+`; a clip whose own name has a `+` is found by the
+whole name first.
+
+\throw Input_error, Option_error as `find_clip()`; Option_error if a clip is named twice.
+*/
+inline std::vector<std::size_t> find_clips(const std::vector<std::string>& names, const std::string& wanted,
+                                           const std::string& file)
+{
+  const bool is_name = std::find(names.begin(), names.end(), wanted) != names.end();
+  if (is_name || names.empty() || wanted.find('+') == std::string::npos) return {find_clip(names, wanted, file)};
+  std::vector<std::size_t> clips;
+  for (std::size_t first = 0, end; first <= wanted.size(); first = end + 1) {
+    end = (std::min)(wanted.find('+', first), wanted.size());
+    const std::string part = wanted.substr(first, end - first);
+    if (part.empty())
+      throw Option_error(file + ": \"" + wanted + "\" joins a clip with nothing; clips are " + clip_list(names));
+    const std::size_t clip = find_clip(names, part, file);
+    if (std::find(clips.begin(), clips.end(), clip) != clips.end())
+      throw Option_error(file + ": \"" + wanted + "\" names the clip \"" + names[clip] + "\" twice");
+    clips.push_back(clip);
+  }
+  return clips;
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesModels
+
+clips that are played together, as one: formats store what moves the bones and what changes the shape of one motion as two.
+
+\throw Option_error if two of them change the same of a node, so that it is not clear what becomes of it.
+*/
+inline Keyframed_model::Clip joined_clip(const Keyframed_model& model, const std::vector<std::size_t>& clips,
+                                         const std::string& file)
+{
+  Keyframed_model::Clip joined;
+  std::map<std::pair<std::size_t, Keyframed_model::Path>, std::size_t> moved_by; // node and what of it: the clip
+  for (std::size_t clip : clips) {
+    joined.name += (clip == clips.front() ? "" : "+") + model.clips[clip].name;
+    for (const Keyframed_model::Channel& channel : model.clips[clip].channels) {
+      const std::size_t first = moved_by.emplace(std::make_pair(channel.node, channel.path), clip).first->second;
+      if (first != clip)
+        throw Option_error(file + ": the clips \"" + model.clips[first].name + "\" and \"" + model.clips[clip].name +
+                           "\" do not go together, both move node " + std::to_string(channel.node));
+      joined.channels.push_back(channel);
+    }
+  }
+  return joined;
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesModels
+
 the names of a model's clips, in their order; may be empty or equal.
 */
 inline std::vector<std::string> clip_names(const Keyframed_model& model)
@@ -128,6 +193,33 @@ inline double commonest_step(const Keyframed_model::Clip& clip)
   return commonest;
 }
 
+// in words: 1.2e+08, without the decimals that std::to_string() has
+inline std::string rounded(double x)
+{
+  std::ostringstream os;
+  os.imbue(std::locale::classic());
+  os << x;
+  return os.str();
+}
+
+// How many times the distance of two frames the clip lasts, where nobody says.
+inline double unasked_intervals(const Keyframed_model::Clip& clip, double duration, const std::string& file)
+{
+  const double step = commonest_step(clip); // 0 if each track has a single key
+  const double own = step > 0 ? (std::max)(1., std::round(duration / step)) : 1;
+  // 23.976 frames in a second are as good as 24.
+  const double least = (std::max)(double(Clip_sampling::least_frames - 1),
+                                  std::floor(0.99 * duration * Clip_sampling::least_frames_per_second));
+  const double intervals = own * std::ceil(least / own);
+  std::size_t most = Clip_sampling::most_unasked_frames;
+  for (const Keyframed_model::Channel& channel : clip.channels) most = (std::max)(most, channel.track.times.size());
+  if (!(intervals < double(most)))
+    throw Input_error(file + ": clip \"" + clip.name + "\" lasts " + rounded(duration) + " s and would have " +
+                      rounded(intervals + 1) + " frames, many more than it has keys; choose how many or how often" +
+                      " (command line: --frames, --fps)");
+  return intervals;
+}
+
 } // namespace internal
 
 /*!
@@ -135,8 +227,8 @@ inline double commonest_step(const Keyframed_model::Clip& clip)
 
 where in the clip the frames are (s), see `Clip_sampling`. \f$O(K \log K)\f$ for `K` keys.
 
-\throw Input_error if all keys of the clip are at one time.
-\throw Option_error if less than 2 frames are asked for, or a rate at which there are less.
+\throw Input_error if all keys of the clip are at one time, or it would have more than `most_unasked_frames`.
+\throw Option_error if less than 2 frames are asked for, or a rate at which there are less; or more than `most_frames`.
 */
 inline std::vector<double> frame_times(const Keyframed_model::Clip& clip, const Clip_sampling& sampling,
                                        const std::string& file)
@@ -152,8 +244,7 @@ inline std::vector<double> frame_times(const Keyframed_model::Clip& clip, const 
   const double duration = last - first;
   if (!(duration > 0)) throw Input_error(file + ": clip \"" + clip.name + "\" has no duration: it moves nothing");
 
-  const double most_frames = 1e9; // beyond, a rate or a key is nonsense
-  double intervals, step = 0;     // 0: as the number of intervals gives it
+  double intervals, step = 0; // 0: as the number of intervals gives it
   if (sampling.frames) {
     if (*sampling.frames < 2) throw Option_error("an animation needs at least 2 frames");
     intervals = double(*sampling.frames - 1);
@@ -164,14 +255,11 @@ inline std::vector<double> frame_times(const Keyframed_model::Clip& clip, const 
       throw Option_error(file + ": clip \"" + clip.name + "\" is shorter than a frame, " + std::to_string(duration) +
                          " s");
   } else {
-    const double own = (std::max)(1., std::round(duration / internal::commonest_step(clip)));
-    // 23.976 frames in a second are as good as 24.
-    const double least = (std::max)(double(Clip_sampling::least_frames - 1),
-                                    std::floor(0.99 * duration * Clip_sampling::least_frames_per_second));
-    intervals = own * std::ceil(least / own);
+    intervals = internal::unasked_intervals(clip, duration, file);
   }
-  if (!(intervals < most_frames))
-    throw Input_error(file + ": clip \"" + clip.name + "\" would have " + std::to_string(intervals + 1) + " frames");
+  if (!(intervals < double(Clip_sampling::most_frames)))
+    throw Option_error(file + ": clip \"" + clip.name + "\" would have " + internal::rounded(intervals + 1) +
+                       " frames; at most " + std::to_string(Clip_sampling::most_frames) + " are made");
   const std::size_t n = std::size_t(intervals);
   std::vector<double> times(n + 1);
   for (std::size_t i = 0; i <= n; ++i)

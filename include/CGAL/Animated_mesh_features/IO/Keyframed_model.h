@@ -119,6 +119,9 @@ struct Keyframed_model
   std::vector<Part> parts;          ///< their vertices, one part after the other, are the file's
   std::vector<Clip> clips;          ///< one of them is played
 
+  /// files that belong to the model besides its own: those of its buffers.
+  std::vector<std::string> linked_files;
+
   /// what was left out, a sentence each: lines, for instance.
   std::vector<std::string> remarks;
 

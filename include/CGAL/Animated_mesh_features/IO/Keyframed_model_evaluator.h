@@ -46,8 +46,13 @@ public:
   /// \throw Input_error if nodes are their own ancestors, something refers to what is not there, a channel has not the
   /// values that its keys ask for, or a geometry is attached to nothing.
   Keyframed_model_evaluator(const Keyframed_model& model, std::size_t clip, const std::string& name)
+    : Keyframed_model_evaluator(model, model.clips.at(clip), name)
+  {}
+
+  /// the same for a clip that need not be one of the model's, also kept by reference.
+  Keyframed_model_evaluator(const Keyframed_model& model, const Keyframed_model::Clip& clip, const std::string& name)
     : m_model(&model)
-    , m_clip(&model.clips.at(clip))
+    , m_clip(&clip)
     , m_name(name)
   {
     order_nodes();

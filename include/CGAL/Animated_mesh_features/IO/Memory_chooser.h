@@ -23,7 +23,8 @@ namespace IO {
 
 Is told the numbers of vertices and frames of an animation once they are known, before memory for them is taken, and
 returns where its coordinates are to live - and with them all that is computed from them. It may throw. Where there is
-none, they live on the heap.
+none, they live on the heap. Where that number is known late, it is asked before about fewer vertices, so that it can
+refuse early: what it returns then is not used.
 */
 typedef std::function<std::shared_ptr<Field_memory>(std::size_t, std::size_t)> Memory_chooser;
 

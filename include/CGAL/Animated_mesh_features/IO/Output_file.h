@@ -9,13 +9,12 @@
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/internal/File_buffer.h>
+#include <CGAL/Animated_mesh_features/IO/internal/Temporary_output.h>
 
 #include <cerrno>
-#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <ostream>
-#include <random>
 #include <string>
 #include <system_error>
 
@@ -26,11 +25,23 @@ namespace IO {
 /*!
 \ingroup PkgAnimatedMeshFeaturesWriting
 
+Whether an output waits for the disk before it takes its place.
+*/
+enum class Output_sync
+{
+  BEFORE_RENAME, ///< after a power failure, the old file or the new one is there, and complete: the default
+  NEVER          ///< the system writes when it likes; saves some milliseconds a file, seconds on slow or busy disks
+};
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesWriting
+
 A file that is either written completely or not at all.
 
 Everything goes to a temporary file in the same folder, which takes the place of the file only in `commit()`. If the
 object dies before, because of an exception for instance, the temporary is removed and what stood under the name is
-untouched.
+untouched. If the process is killed, the next `Output_file` of the same name removes the temporary, but none that another
+process is still writing (on systems with `flock()`).
 
 - An existing file keeps its permissions; a new one gets those that the umask leaves. Other hard links to an existing
   file keep the old contents.
@@ -54,33 +65,15 @@ public:
   opens `name` for writing, in binary mode.
   \throws Output_error if it cannot be opened, is a folder, or exists and is not writable.
   */
-  explicit Output_file(const std::string& name)
-    : Output_file(name, name)
+  explicit Output_file(const std::string& name, Output_sync sync = Output_sync::BEFORE_RENAME)
+    : Output_file(name, name, sync, true)
   {
   }
 
-  /// the same, under another name in messages: that of the place to which a file of an `Output_folder` will come.
+  /// a file of an `Output_folder`, which cares for leftovers and the disk; messages name the place to which it will come.
   Output_file(const std::string& name, const std::string& name_in_messages)
-    : m_name(name_in_messages)
-    , m_stream(&m_buffer)
-  {
-    if (is_standard_output(name)) {
-      m_name = "standard output";
-      use(stdout);
-      return;
-    }
-    m_target = resolved(name);
-    std::error_code ignored;
-    const std::filesystem::file_status status = std::filesystem::status(m_target, ignored);
-    if (std::filesystem::is_directory(status)) fail(EISDIR);
-    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-      open_directly("wb");
-    } else if (is_inside(m_target, "/dev") || is_inside(m_target, "/proc")) {
-      open_directly("ab"); // a file that somebody else has opened, as /dev/fd/3 may be: truncating it is not ours
-    } else {
-      open_temporary(status);
-    }
-  }
+    : Output_file(name, name_in_messages, Output_sync::NEVER, false)
+  {}
 
   Output_file(const Output_file&) = delete;
   Output_file& operator=(const Output_file&) = delete;
@@ -115,20 +108,48 @@ public:
       std::FILE* const file = m_file;
       m_file = nullptr;
       m_buffer.set_file(nullptr);
+      const bool waits = !m_temporary.empty() && m_sync == Output_sync::BEFORE_RENAME;
+      const int sync_error = waits ? internal::wait_for_disk(file) : 0;
       errno = 0;
       if (std::fclose(file) != 0) fail(errno != 0 ? errno : EIO);
+      if (sync_error != 0) fail(sync_error);
     }
     if (!m_temporary.empty()) {
       std::error_code error;
       std::filesystem::rename(m_temporary, m_target, error);
       if (error) fail(error);
       m_temporary.clear();
+      m_lock.release();
     }
     m_file = nullptr;
     m_buffer.set_file(nullptr);
   }
 
 private:
+  Output_file(const std::string& name, const std::string& name_in_messages, Output_sync sync, bool removes_leftovers)
+    : m_name(name_in_messages)
+    , m_sync(sync)
+    , m_stream(&m_buffer)
+  {
+    if (is_standard_output(name)) {
+      m_name = "standard output";
+      use(stdout);
+      return;
+    }
+    m_target = resolved(name);
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(m_target, ignored);
+    if (std::filesystem::is_directory(status)) fail(EISDIR);
+    if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+      open_directly("wb");
+    } else if (is_inside(m_target, "/dev") || is_inside(m_target, "/proc")) {
+      open_directly("ab"); // a file that somebody else has opened, as /dev/fd/3 may be: truncating it is not ours
+    } else {
+      if (removes_leftovers) internal::remove_leftovers(m_target.parent_path(), m_target);
+      open_temporary(status);
+    }
+  }
+
   static bool is_standard_output(const std::string& name)
   {
     return name == "-" || name == "/dev/stdout" || name == "/dev/fd/1" || name == "/proc/self/fd/1";
@@ -173,19 +194,18 @@ private:
       if (probe == nullptr) fail(errno);
       std::fclose(probe);
     }
-    const std::size_t part_of_name = 64; // so that the temporary's name is never too long
-    std::random_device random;
     std::FILE* file = nullptr;
-    std::filesystem::path temporary;
-    do {
-      const std::uint64_t number = (std::uint64_t(random()) << 32) | random();
-      temporary = m_target.parent_path() /
-                  ("." + m_target.filename().string().substr(0, part_of_name) + "." + std::to_string(number) + ".tmp");
-      errno = 0;
-      file = std::fopen(temporary.string().c_str(), "wbx");
-    } while (file == nullptr && errno == EEXIST);
-    if (file == nullptr) fail(errno);
-    m_temporary = temporary;
+    int reason = 0;
+    m_temporary = internal::make_temporary(m_target.parent_path(), m_target, m_lock,
+                                           [&](const std::filesystem::path& path, std::error_code& error) {
+                                             if (file != nullptr) std::fclose(file);
+                                             errno = 0;
+                                             file = std::fopen(path.string().c_str(), "wbx");
+                                             reason = errno;
+                                             error = std::error_code(reason, std::generic_category());
+                                             return file != nullptr;
+                                           });
+    if (file == nullptr) fail(reason);
     use(file);
     if (exists) {
       std::error_code error;
@@ -225,6 +245,8 @@ private:
   std::string m_name;
   std::filesystem::path m_target;
   std::filesystem::path m_temporary; // empty if there is none
+  internal::Path_lock m_lock;        // on it
+  Output_sync m_sync;
   std::FILE* m_file = nullptr;
   internal::File_buffer m_buffer;
   std::ostream m_stream;

@@ -8,11 +8,12 @@
 #define CGAL_ANIMATED_MESH_FEATURES_IO_OUTPUT_FOLDER_H
 
 #include <CGAL/Animated_mesh_features/IO/Output_file.h>
+#include <CGAL/Animated_mesh_features/IO/internal/Temporary_output.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
-#include <cstdint>
+#include <cerrno>
+#include <cstdio>
 #include <filesystem>
-#include <random>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -28,7 +29,8 @@ A folder of files that belong together, with the care of `Output_file`: everythi
 disk, and takes its place only in `commit()`. If the object dies before, the temporary is removed and what stood under
 the name is untouched.
 
-A folder that exists may hold other files; they stay, and only files of the same names are replaced.
+A folder that exists may hold other files; they stay, and only files of the same names are replaced. So it is, too, with a
+folder that another process has made meanwhile: its files are replaced by those that come later, all of them together.
 */
 class Output_folder
 {
@@ -37,9 +39,10 @@ public:
   makes the temporary folder: within the folder `name` if there is one, beside it otherwise.
   \throws Output_error if that cannot be done, or `name` is no folder.
   */
-  explicit Output_folder(const std::string& name)
+  explicit Output_folder(const std::string& name, Output_sync sync = Output_sync::BEFORE_RENAME)
     : m_name(name)
     , m_target(std::filesystem::path(name).lexically_normal())
+    , m_sync(sync)
   {
     if (!m_target.has_filename() && m_target.has_parent_path()) m_target = m_target.parent_path(); // "name/"
     std::error_code ignored;
@@ -77,13 +80,21 @@ public:
   */
   void commit()
   {
+    if (m_sync == Output_sync::BEFORE_RENAME)
+      for (const std::string& file : m_files) wait_for_disk(file);
     std::error_code error;
     if (m_is_new) {
       std::filesystem::rename(m_temporary, m_target, error);
-      if (error) fail(error);
-      m_temporary.clear();
-      return;
+      if (!error) {
+        m_temporary.clear();
+        m_lock.release();
+        return;
+      }
+      // Another process may have made the folder meanwhile.
+      if (!std::filesystem::is_directory(m_target)) fail(error);
     }
+    internal::Path_lock turn; // one process after the other, so that the files of each belong together
+    turn.take(m_target, true, false);
     for (const std::string& file : m_files) {
       std::filesystem::rename(m_temporary / file, m_target / file, error);
       if (error) fail(error);
@@ -94,18 +105,28 @@ public:
 private:
   void make_temporary()
   {
-    const std::size_t part_of_name = 64; // so that the temporary's name is never too long
     const std::filesystem::path place = m_is_new ? m_target.parent_path() : m_target;
-    const std::string name = m_target.filename().string().substr(0, part_of_name);
-    std::random_device random;
+    internal::remove_leftovers(m_target.parent_path(), m_target);
+    if (!m_is_new) internal::remove_leftovers(m_target, m_target);
     std::error_code error;
-    do {
-      const std::uint64_t number = (std::uint64_t(random()) << 32) | random();
-      m_temporary = place / ("." + name + "." + std::to_string(number) + ".tmp");
-    } while (!std::filesystem::create_directory(m_temporary, error) && !error);
-    if (!error) return;
-    m_temporary.clear();
-    fail(error);
+    m_temporary =
+        internal::make_temporary(place, m_target, m_lock, [&](const std::filesystem::path& path, std::error_code& e) {
+          const bool is_made = std::filesystem::create_directory(path, e);
+          if (!is_made && !e) e = std::make_error_code(std::errc::file_exists);
+          error = e;
+          return is_made;
+        });
+    if (m_temporary.empty()) fail(error);
+  }
+
+  void wait_for_disk(const std::string& file) const
+  {
+    errno = 0;
+    std::FILE* const opened = std::fopen((m_temporary / file).string().c_str(), "rb");
+    if (opened == nullptr) fail(std::error_code(errno, std::generic_category()));
+    const int error = internal::wait_for_disk(opened);
+    std::fclose(opened);
+    if (error != 0) fail(std::error_code(error, std::generic_category()));
   }
 
   void discard() noexcept
@@ -114,6 +135,7 @@ private:
     std::error_code ignored;
     std::filesystem::remove_all(m_temporary, ignored);
     m_temporary.clear();
+    m_lock.release();
   }
 
   [[noreturn]] void fail(const std::error_code& error) const
@@ -124,6 +146,8 @@ private:
   std::string m_name;
   std::filesystem::path m_target;
   std::filesystem::path m_temporary; // empty if there is none
+  internal::Path_lock m_lock;        // on it
+  Output_sync m_sync;
   bool m_is_new = false;
   std::vector<std::string> m_files;
 };

@@ -62,11 +62,17 @@ struct Animation_file_data
   /// the files: mesh and cache, or a mesh for each frame, in their order.
   std::vector<std::string> sources;
 
+  /// further files that those refer to: the buffers of a model.
+  std::vector<std::string> linked_files;
+
   /// the names of all animations in the file; empty where there is but one, without a name.
   std::vector<std::string> clips;
 
   /// which of them this is.
   std::size_t clip = 0;
+
+  /// which others are played together with it.
+  std::vector<std::size_t> further_clips;
 
   /// empty if vertices are those of the file.
   Vertex_origins origins;

@@ -8,12 +8,15 @@
 #define CGAL_ANIMATED_MESH_FEATURES_IO_READ_GLTF_H
 
 #include <CGAL/Animated_mesh_features/IO/Keyframed_model.h>
+#include <CGAL/Animated_mesh_features/IO/Linked_files.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Gltf_model_builder.h>
 #include <CGAL/Animated_mesh_features/IO/internal/parse_gltf.h>
 
 #include <tiny_gltf.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Animated_mesh_features {
@@ -26,17 +29,26 @@ reads an animated model from a glTF 2.0 file, `.gltf` (with data inside or besid
 skins and morph targets of its default scene, and all animations. Images are not looked at. Lists, strips and fans of
 triangles are read, points and lines left out; accessors may be strided, sparse, or of normalised integers.
 
+A file may come from anybody: no other file is opened than those of its buffers, as `linked` allows, and these only if
+they are regular files; brackets are nested 64 times at most; nothing takes more memory than what the file holds accounts
+for, see `internal::Gltf_accessor_reader`.
+
 Needs tinygltf 2.6 or newer: whoever includes this header links with Debian's `libtinygltf` (CMake:
-`TinyGLTF::TinyGLTF`), or defines `TINYGLTF_IMPLEMENTATION` in one of the program's files.
+`TinyGLTF::TinyGLTF`), or defines `TINYGLTF_IMPLEMENTATION` in one of the program's files; and nlohmann-json 3.9.
+
+\param file `.gltf` or `.glb`.
+\param linked which files buffers may be in.
 
 \throws Input_error if the file cannot be read, is no glTF 2.0, needs an extension that is not known here, or is not
-consistent; the message names the node, primitive, vertex, accessor or channel.
+consistent; the message names the node, primitive, vertex, accessor, buffer or channel.
 */
-inline Keyframed_model read_gltf(const std::string& file)
+inline Keyframed_model read_gltf(const std::string& file, Linked_files linked = Linked_files::BESIDE_MODEL)
 {
   tinygltf::Model gltf;
-  internal::parse_gltf(file, gltf);
-  return internal::Gltf_model_builder(gltf, file)();
+  std::vector<std::string> linked_files = internal::parse_gltf(file, linked, gltf);
+  Keyframed_model model = internal::Gltf_model_builder(gltf, file)();
+  model.linked_files = std::move(linked_files);
+  return model;
 }
 
 } // namespace IO

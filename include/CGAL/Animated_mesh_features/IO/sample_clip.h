@@ -22,6 +22,7 @@
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
@@ -91,6 +92,21 @@ inline Vertex_origins vertex_origins(const Keyframed_model& model, Welded_surfac
   return origins;
 }
 
+// How many vertices there are at least once coincident ones are welded: those that are apart in one frame, and in a triangle
+// with two others.
+inline std::size_t fewest_vertices(const std::vector<std::array<std::size_t, 3>>& triangles,
+                                   const Clip_frames::Points& points)
+{
+  Coincident_vertices coincident(points.size());
+  coincident.add_frame(points);
+  const std::vector<std::size_t>& first = coincident.first_of_class();
+  std::vector<char> is_used(points.size(), 0);
+  for (const auto& t : triangles)
+    if (first[t[0]] != first[t[1]] && first[t[1]] != first[t[2]] && first[t[2]] != first[t[0]])
+      for (std::size_t v : t) is_used[first[v]] = 1;
+  return std::size_t(std::count(is_used.begin(), is_used.end(), 1));
+}
+
 // Fills the coordinates of `data`, which has its surface already; `source` has a vertex of the file for each vertex.
 template <class ConcurrencyTag, class FT>
 void fill_frames(const Clip_frames& frames, const std::vector<std::size_t>& source,
@@ -127,15 +143,16 @@ makes the frames of a clip of an animated model, with vertices welded that the f
 `Coincident_vertices` and `weld_surface()`. Times are from 0 at the clip's first key.
 
 The clip is evaluated twice, so that nothing of the size of the animation is in memory before `choose_memory` is told the
-size; `O(F (N + nodes + keys))`.
+size; `O(F (N + nodes + keys))`. How many vertices are left after welding is known late: `choose_memory` is asked about the
+fewest that there can be, too, after one frame, so that what is much too large is refused at once.
 
 \tparam FT, ConcurrencyTag as for `read_animation()`
 \param model what the file holds
 \param sampling which clip, and when
 \param file the name for messages
 \param choose_memory see `Memory_chooser`
-\throws Option_error see `find_clip()` and `frame_times()`
-\throws Input_error see `Keyframed_model_evaluator`, `find_clip()`, `frame_times()`; a position is not
+\throws Option_error see `find_clips()`, `joined_clip()` and `frame_times()`
+\throws Input_error see `Keyframed_model_evaluator`, `find_clips()`, `frame_times()`; a position is not
 finite; there are no triangles.
 */
 template <class FT, class ConcurrencyTag = CGAL::Parallel_if_available_tag>
@@ -144,17 +161,22 @@ Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sam
 {
   Animation_file_data<FT> data;
   data.sources = {file};
+  data.linked_files = model.linked_files;
   data.clips = clip_names(model);
-  data.clip = find_clip(data.clips, sampling.clip, file);
-  const internal::Clip_frames frames(model, data.clip, sampling, file);
+  const std::vector<std::size_t> clips = find_clips(data.clips, sampling.clip, file);
+  data.clip = clips.front();
+  data.further_clips.assign(clips.begin() + 1, clips.end());
+  const internal::Clip_frames frames(model, joined_clip(model, clips, file), sampling, file);
   data.frames = frames.size();
   data.times = frames.times();
 
+  const std::vector<std::array<std::size_t, 3>> triangles = internal::drawn_triangles(model, frames.mirrored_parts());
   internal::Clip_frames::Points first_points;
+  frames.get(0, first_points);
+  internal::chosen_memory(choose_memory, internal::fewest_vertices(triangles, first_points), data.frames);
   const Coincident_vertices coincident =
       internal::coincident_vertices(frames, model.number_of_vertices(), first_points);
-  Welded_surface surface =
-      weld_surface(internal::drawn_triangles(model, frames.mirrored_parts()), coincident.first_of_class());
+  Welded_surface surface = weld_surface(triangles, coincident.first_of_class());
   if (surface.triangles.empty()) throw Input_error(file + ": holds no triangles");
   data.remarks = model.remarks;
   for (std::string& remark : internal::welding_remarks(surface, model.number_of_vertices()))

@@ -12,6 +12,7 @@
 #include <CGAL/Animated_mesh_features/Scale_space/internal/Boundary_extension.h>
 #include <CGAL/Animated_mesh_features/Scale_space/internal/Window_sum.h>
 #include <CGAL/Animated_mesh_features/Scale_space/internal/window_sums.h>
+#include <CGAL/Animated_mesh_features/Scale_space/internal/number_of_passes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -68,6 +69,7 @@ public:
   /// \param number_of_frames of each row.
   /// \param frame_duration seconds.
   /// \param variances ascending; squared seconds.
+  /// \throw Option_error if more than 1e9 passes would be needed.
   void initialize(std::size_t number_of_frames, double frame_duration, const std::vector<double>& variances)
   {
     m_frames = number_of_frames;
@@ -78,7 +80,7 @@ public:
     for (double u : variances) {
       Step step = {Box{0, 0}, 0, attained};
       if (m_width > 0) {
-        const std::size_t count = (std::max)(total, std::size_t(std::llround(u / unit)));
+        const std::size_t count = (std::max)(total, internal::number_of_passes(u, unit));
         step.box = box_of_width(m_width);
         step.passes = count - total;
         total = count;

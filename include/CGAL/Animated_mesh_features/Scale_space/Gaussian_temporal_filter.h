@@ -9,6 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
 #include <CGAL/Animated_mesh_features/Scale_space/internal/discrete_gaussian.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -65,6 +66,7 @@ public:
     m_float_weights.clear();
     const bool is_sparse = !has_equal_steps(); // errors are then measured by what equal steps have left of the row
     for (std::size_t l = 0; l < variances.size(); ++l) {
+      internal::cancellation_point();
       const double before = (l > 0 ? variances[l - 1] : 0) / (frame_duration * frame_duration);
       const double step = variances[l] / (frame_duration * frame_duration) - before;
       const std::vector<double> weights = step_weights(step);

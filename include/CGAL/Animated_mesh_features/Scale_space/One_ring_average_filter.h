@@ -12,6 +12,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/run_in_chunks.h>
 #include <CGAL/Animated_mesh_features/Numerics/simd/run_vectorized.h>
+#include <CGAL/Animated_mesh_features/Scale_space/internal/number_of_passes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +61,7 @@ public:
   variances are.
   \param shape the rest shape; is kept by reference.
   \param variances ascending; squared length per axis.
+  \throw Option_error if more than 1e9 averages would be needed.
   */
   template <class Loop>
   void initialize(const Rest_shape& shape, const std::vector<double>& variances, const Loop&)
@@ -68,7 +70,7 @@ public:
     m_unit = unit_variance(shape);
     m_counts.assign(variances.size(), 0);
     for (std::size_t k = 0; k < variances.size(); ++k) {
-      const std::size_t nearest = std::size_t(std::llround(variances[k] / m_unit));
+      const std::size_t nearest = internal::number_of_passes(variances[k], m_unit);
       m_counts[k] = k == 0 ? nearest : (std::max)(nearest, m_counts[k - 1] + (variances[k] > variances[k - 1]));
     }
     if (m_per_vertex) measure_levels();

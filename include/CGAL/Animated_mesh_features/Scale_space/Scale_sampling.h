@@ -61,8 +61,16 @@ struct Fixed_ratio_sampling
   /// the range of \f$\tau\f$ (seconds); by default from one frame to a sixth of the duration.
   Scale_range tau;
 
+  /// scales of more than that many diameters, or durations, are refused: all is average then, and filters would go on
+  /// without end.
+  static constexpr double largest_relative_scale = 10;
+
+  /// more levels than that between the ends of a range are refused, as of a range that begins at next to nothing.
+  static constexpr long most_levels = 500;
+
   /// chooses the levels; asks the spatial filter for its `smallest_variance()`, below which levels are left out.
-  /// \throw Option_error if a range is empty, or nothing of it can be resolved by the mesh or by the frames.
+  /// \throw Option_error if a range is empty, nothing of it can be resolved by the mesh or by the frames, it goes beyond
+  /// `largest_relative_scale`, or has more than `most_levels`.
   template <class SpatialFilter, class TemporalFilter>
   Scale_levels operator()(const Rest_shape& shape,
                           std::size_t number_of_frames,
@@ -73,6 +81,8 @@ struct Fixed_ratio_sampling
     const double duration = double(number_of_frames) * frame_duration;
     const Scale_range s = completed(sigma, 0.014 * shape.diameter(), 0.175 * shape.diameter());
     const Scale_range t = completed(tau, frame_duration, (std::max)(duration / 6, frame_duration));
+    check_largest(s, "sigma", shape.diameter(), "diameter of the rest shape");
+    check_largest(t, "tau", duration, "duration of the animation");
     Scale_levels levels;
     // The smallest level, two below the first at which features are found, must have a variance that the filter can
     // make.
@@ -92,6 +102,15 @@ private:
     return r;
   }
 
+  static void check_largest(const Scale_range& range, const char* name, double extent, const char* what)
+  {
+    if (!(range.max > largest_relative_scale * extent)) return;
+    std::ostringstream message;
+    message << "the range of " << name << " up to " << range.max << " goes beyond " << largest_relative_scale
+            << " times the " << what << ", " << extent << ", where nothing is left to be found";
+    throw Option_error(message.str());
+  }
+
   // Levels below what can be resolved are left out, the others stay where they are: twins of different sampling have
   // the same levels.
   static std::vector<double>
@@ -103,7 +122,15 @@ private:
       message << "the range of " << name << " from " << range.min << " to " << range.max << " is empty";
       throw Option_error(message.str());
     }
-    const long last = std::lround(std::log(range.max / range.min) / std::log(ratio));
+    const double number = (std::log(range.max) - std::log(range.min)) / std::log(ratio);
+    if (!(number < double(most_levels))) {
+      std::ostringstream message;
+      message << "the range of " << name << " from " << range.min << " to " << range.max << " has " << std::ceil(number)
+              << " levels; at most " << most_levels << " are made";
+      throw Option_error(message.str());
+    }
+    const long last = std::lround(number);
+    if (!std::isfinite(finest)) throw Option_error(std::string("the ") + limit + " is not finite");
     const long first =
         finest > range.min ? long(std::ceil(std::log(finest / range.min) / std::log(ratio) - 1e-9)) : 0;
     if (first > last) {
@@ -160,7 +187,8 @@ struct Every_smoothing_count
   {
     // the largest blob's radius is sqrt(2) sigma, and n boxes of width w have sigma^2 = n w^2 / 12 (without Eq. (7)'s
     // -1)
-    return std::size_t(std::floor(6 * radius_over_width * radius_over_width * (1 + 1e-12)));
+    const double most = 1e9; // what is not finite is no number of averages either
+    return std::size_t((std::min)(most, std::floor(6 * radius_over_width * radius_over_width * (1 + 1e-12))));
   }
 
   /// chooses the levels; asks both filters for their `unit_variance()`.

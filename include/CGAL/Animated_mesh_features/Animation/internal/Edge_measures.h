@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Animation/Vertex_trajectories.h>
 #include <CGAL/Animated_mesh_features/Animation/internal/Surface_components.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <Eigen/Dense>
 
@@ -104,6 +105,7 @@ Edge_measures mean_edge_measures(const Rest_shape& shape, const Vertex_trajector
   mean.angles.assign(m, Eigen::Vector2d::Zero());
   std::vector<Eigen::Vector3d> normals;
   for (std::size_t f = 0; f < trajectories.number_of_frames(); ++f) {
+    cancellation_point();
     const std::vector<Eigen::Vector3d> points = trajectories.frame(f).points();
     triangle_normals(shape, adjacency, points, normals);
     measure_edges(shape, adjacency, points, normals, one);
@@ -136,6 +138,7 @@ std::vector<std::size_t> closest_frames(const Rest_shape& shape, const Vertex_tr
   std::vector<Eigen::Vector3d> normals;
   Edge_measures one;
   for (std::size_t f = 0; f < trajectories.number_of_frames(); ++f) {
+    cancellation_point();
     const std::vector<Eigen::Vector3d> points = trajectories.frame(f).points();
     triangle_normals(shape, adjacency, points, normals);
     measure_edges(shape, adjacency, points, normals, one);

@@ -11,6 +11,7 @@
 #include <CGAL/Animated_mesh_features/Animation/internal/Surface_plan.h>
 #include <CGAL/Animated_mesh_features/Animation/internal/fit_face_frames.h>
 #include <CGAL/Animated_mesh_features/Animation/internal/nearest_rotation.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
@@ -154,6 +155,7 @@ private:
     State now = m_state, before = m_state;
     double e = energy(), speed = 1;
     for (m_rounds = 0; m_rounds < most_rounds; ++m_rounds) {
+      cancellation_point();
       const double next_speed = (1 + std::sqrt(1 + 4 * speed * speed)) / 2;
       const double momentum = (speed - 1) / next_speed;
       if (momentum > 0) extrapolate(now, before, momentum);

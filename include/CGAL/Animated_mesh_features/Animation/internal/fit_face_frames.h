@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/Animation/internal/Surface_plan.h>
 #include <CGAL/Animated_mesh_features/Animation/internal/nearest_rotation.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <Eigen/Dense>
 #include <Eigen/Sparse>
@@ -86,6 +87,7 @@ inline void fit_face_frames(const Surface_plan& plan, std::vector<Eigen::Matrix3
   // The transposed frames one below the other, as the transitions act on the right.
   Eigen::Matrix<double, Eigen::Dynamic, 3> y(3 * Eigen::Index(n), 3);
   for (int i = 0; i < iterations; ++i) {
+    cancellation_point();
     for (std::size_t t = 0; t < n; ++t) y.middleRows<3>(3 * Eigen::Index(t)) = shifts[t] * frames[t].transpose();
     y = solver.solve(y);
     if (!y.allFinite()) throw Numerical_error("the canonical shape: the face frames are not finite");

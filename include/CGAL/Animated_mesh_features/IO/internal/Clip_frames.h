@@ -16,6 +16,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,11 +30,15 @@ class Clip_frames
 public:
   typedef Keyframed_model_evaluator::Points Points;
 
-  Clip_frames(const Keyframed_model& model, std::size_t clip, const Clip_sampling& sampling, const std::string& file)
-    : m_name(file + ", clip \"" + model.clips[clip].name + "\"")
-    , m_times(frame_times(model.clips[clip], sampling, file))
-    , m_evaluate(model, clip, file)
+  Clip_frames(const Keyframed_model& model, Keyframed_model::Clip clip, const Clip_sampling& sampling,
+              const std::string& file)
+    : m_clip(std::move(clip))
+    , m_name(file + ", clip \"" + m_clip.name + "\"")
+    , m_times(frame_times(m_clip, sampling, file))
+    , m_evaluate(model, m_clip, file)
   {}
+  Clip_frames(const Clip_frames&) = delete;
+  Clip_frames& operator=(const Clip_frames&) = delete;
 
   std::size_t size() const { return m_times.size(); }
   std::string name(std::size_t f) const { return m_name + ", frame " + std::to_string(f); }
@@ -49,6 +54,7 @@ public:
   }
 
 private:
+  Keyframed_model::Clip m_clip;
   std::string m_name;
   std::vector<double> m_times; // of the clip
   Keyframed_model_evaluator m_evaluate;

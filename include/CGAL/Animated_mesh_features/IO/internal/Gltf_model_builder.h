@@ -157,6 +157,7 @@ private:
       const std::size_t geometry = known != m_geometries.end() ? known->second : add_geometry(mesh.primitives[p], name);
       m_geometries[{mesh_index, p}] = geometry;
       if (geometry == none) continue;
+      m_accessors.account(3 * m_model.geometries[geometry].points.size(), name);
       Keyframed_model::Part part;
       part.geometry = geometry;
       part.node = n;

@@ -8,6 +8,7 @@
 #define CGAL_ANIMATED_MESH_FEATURES_IO_INTERNAL_PARSE_JSON_H
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+#include <CGAL/Animated_mesh_features/IO/internal/check_nesting.h>
 
 #include <nlohmann/json.hpp>
 
@@ -81,7 +82,7 @@ inline nlohmann::json parse_json(const std::string& text, const std::string& fil
                                  std::vector<std::string>& names)
 {
   typedef nlohmann::json Json;
-  constexpr std::size_t largest_depth = 64;
+  check_nesting(text, file);
   Json_place place;
   const auto at = [&] { return place.text().empty() ? std::string() : ", at " + place.text(); };
   const auto follow = [&](int, Json::parse_event_t event, Json& parsed) {
@@ -89,7 +90,6 @@ inline nlohmann::json parse_json(const std::string& text, const std::string& fil
     case Json::parse_event_t::object_start:
     case Json::parse_event_t::array_start:
       place.enter(event == Json::parse_event_t::array_start);
-      if (place.depth() > largest_depth) throw Input_error(file + ": is nested too deeply");
       break;
     case Json::parse_event_t::object_end:
     case Json::parse_event_t::array_end:
@@ -112,6 +112,12 @@ inline nlohmann::json parse_json(const std::string& text, const std::string& fil
   } catch (const Json::out_of_range&) {
     throw Input_error(file + ": a number is too large" + at());
   }
+}
+
+inline nlohmann::json parse_json(const std::string& text, const std::string& file)
+{
+  std::vector<std::string> names;
+  return parse_json(text, file, std::string(), names);
 }
 
 } // namespace internal

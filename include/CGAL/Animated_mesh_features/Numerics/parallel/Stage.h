@@ -23,7 +23,8 @@ enum class Stage
   STRAIN,         ///< strain, all vertices and frames
   CURVATURE,      ///< change of curvature, all vertices and frames
   SCALE_SPACE,    ///< smoothing in space
-  EXTREMA         ///< smoothing in time, response, extremum search
+  EXTREMA,        ///< smoothing in time, response, extremum search
+  REST_SHAPE      ///< the canonical shape, where it is asked for
 };
 
 /*!
@@ -39,6 +40,7 @@ inline const char* name(Stage stage)
   case Stage::CURVATURE: return "curvature";
   case Stage::SCALE_SPACE: return "scale space";
   case Stage::EXTREMA: return "extrema";
+  case Stage::REST_SHAPE: return "rest shape";
   }
   return "";
 }

@@ -8,11 +8,13 @@
 #define CGAL_ANIMATED_MESH_FEATURES_NUMERICS_PARALLEL_TASK_LOOP_H
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Stage.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <thread>
 
@@ -23,7 +25,9 @@ namespace Animated_mesh_features {
 \ingroup PkgAnimatedMeshFeaturesTasks
 
 The loop in which policies run their tasks: a share of a stage, which knows on how many threads to run them and whom to
-tell. Between its own tasks the calling thread - no other - tells the visitor how far the stage is, some 30 times a share.
+tell. Between its own tasks the calling thread - no other - tells the visitor how far the stage is, some 30 times a share and
+at least every tenth of a second, so that a visitor that cancels does not wait for longer than for a task; long tasks of the
+package ask in between.
 
 Whoever calls a policy without a detector gives it one of these:
 \code
@@ -67,15 +71,30 @@ public:
     const std::thread::id caller = std::this_thread::get_id();
     std::atomic<std::size_t> done(0);
     std::atomic<bool> is_cancelled(false);
+    typedef std::chrono::steady_clock Clock;
+    constexpr std::chrono::milliseconds longest_silence(100);
     std::size_t told = 0; // the caller's
+    Clock::time_point told_at = Clock::now();
+    const auto tell_now = [&] {
+      told = done.load(std::memory_order_relaxed);
+      told_at = Clock::now();
+      if (!m_visitor->progress(m_stage, at(double(told) / double(number_of_tasks))))
+        is_cancelled.store(true, std::memory_order_relaxed);
+    };
+    // asked by long tasks in their middle, on any thread
+    const auto goes_on = [&] {
+      if (std::this_thread::get_id() == caller && Clock::now() >= told_at + longest_silence) tell_now();
+      return !is_cancelled.load(std::memory_order_relaxed);
+    };
     parallel_for<ConcurrencyTag>(0, number_of_tasks, [&](std::size_t i) {
       if (is_cancelled.load(std::memory_order_relaxed)) return;
-      task(i);
+      {
+        const internal::Cancellation_scope scope(goes_on);
+        task(i);
+      }
       const std::size_t now = done.fetch_add(1, std::memory_order_relaxed) + 1;
-      if (std::this_thread::get_id() != caller || now < told + portion || now == number_of_tasks) return;
-      told = now;
-      if (!m_visitor->progress(m_stage, at(double(now) / double(number_of_tasks))))
-        is_cancelled.store(true, std::memory_order_relaxed);
+      if (std::this_thread::get_id() != caller || now == number_of_tasks) return;
+      if (now >= told + portion || Clock::now() >= told_at + longest_silence) tell_now();
     });
     if (is_cancelled) throw Cancelled();
     tell(1);

@@ -13,6 +13,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/simd/run_vectorized.h>
 #include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/Front_factorization.h>
 #include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/Symbolic_factorization.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -48,6 +49,7 @@ public:
     m_top = 0;
     m_waiting.clear();
     for (const Panel& p : m_symbolic.panels()) {
+      cancellation_point();
       begin(p);
       load(p, diagonal, entry);
       const std::size_t first_child = m_waiting.size() - p.children;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Numerics/Compressed_rows.h>
 #include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/minimum_degree_order.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <algorithm>
 #include <array>
@@ -84,13 +85,13 @@ private:
     for (int i = 0; i < 3 && !points.empty(); ++i) {
       const auto less = [i](const Point& p, const Point& q) { return p[i] < q[i]; };
       const auto ends = std::minmax_element(points.begin(), points.end(), less);
-      low[i] = (*ends.first)[i];
-      extent = (std::max)(extent, (*ends.second)[i] - low[i]);
+      low[i] = (*ends.first)[i] / 2; // halves, whose differences are finite
+      extent = (std::max)(extent, (*ends.second)[i] / 2 - low[i]);
     }
     if (!(extent > 0)) extent = 1;
     std::vector<Place> places(points.size());
     for (std::size_t v = 0; v < points.size(); ++v)
-      for (int i = 0; i < 3; ++i) places[v][i] = std::int32_t((points[v][i] - low[i]) / extent * (1 << 24));
+      for (int i = 0; i < 3; ++i) places[v][i] = std::int32_t((points[v][i] / 2 - low[i]) / extent * (1 << 24));
     return places;
   }
 
@@ -102,6 +103,7 @@ private:
 
   void dissect(std::size_t first, std::size_t last)
   {
+    cancellation_point();
     const Cut cut = last - first > m_largest ? best_cut(first, last) : Cut();
     if (!cut.exists()) {
       order_by_degree(first, last);

@@ -11,6 +11,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/Cholesky_panel.h>
 #include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/Column_groups.h>
 #include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/elimination_tree.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -72,6 +73,7 @@ private:
     Waiting_panels waiting{std::vector<Index>(n, none), {}};
     Index first = 0;
     for (std::size_t g = 0; g < widths.size(); ++g) {
+      if (g % 1024 == 0) cancellation_point();
       const Index end = first + widths[g];
       const Index children = find_rows(neighbours, first, end, waiting, Index(g), mark, below);
       cut_into_panels(first, end, below, children);

@@ -9,6 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
 #include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/Symbolic_factorization.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,10 +40,15 @@ struct Triangular_solve
     typedef Pack<T, pack_size, register_bytes> Row_pack;
     const std::vector<Panel>& panels = symbolic->panels();
     const std::size_t size = (symbolic->number_of_columns() + 1) * pack_size;
-    for (const Panel& p : panels)
-      for (std::size_t pack = 0; pack < packs; ++pack) forward<Row_pack>(p, x + pack * size);
-    for (std::size_t i = panels.size(); i-- > 0;)
+    constexpr std::size_t often = 1024; // small panels take less than a microsecond
+    for (std::size_t i = 0; i < panels.size(); ++i) {
+      if (i % often == 0) cancellation_point();
+      for (std::size_t pack = 0; pack < packs; ++pack) forward<Row_pack>(panels[i], x + pack * size);
+    }
+    for (std::size_t i = panels.size(); i-- > 0;) {
+      if (i % often == 0) cancellation_point();
       for (std::size_t pack = 0; pack < packs; ++pack) backward<Row_pack>(panels[i], x + pack * size);
+    }
   }
 
 private:

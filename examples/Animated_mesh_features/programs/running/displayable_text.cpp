@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "drawing/displayable_text.h"
+#include "running/displayable_text.h"
 
 #include <cstddef>
 
@@ -27,6 +27,17 @@ std::size_t character_length(std::string_view s)
   return is_too_long || is_surrogate || is_beyond_all ? 0 : length;
 }
 
+// Of a character of several bytes: C1 (a terminal takes U+009B for the begin of a command), separators of lines, and what
+// overrides the direction of writing (U+202A to U+202E, U+2066 to U+2069).
+bool is_control(std::string_view c)
+{
+  const auto is_between = [c](std::string_view first, std::string_view last) {
+    return c.size() == first.size() && c >= first && c <= last;
+  };
+  return is_between("\xc2\x80", "\xc2\x9f") || is_between("\xe2\x80\xa8", "\xe2\x80\xae") ||
+         is_between("\xe2\x81\xa6", "\xe2\x81\xa9");
+}
+
 } // namespace
 
 std::string displayable_text(std::string_view text)
@@ -35,7 +46,7 @@ std::string displayable_text(std::string_view text)
   while (!text.empty()) {
     const std::size_t length = character_length(text);
     const unsigned char first = static_cast<unsigned char>(text[0]);
-    if (length == 0 || first < 0x20 || first == 0x7f)
+    if (length == 0 || first < 0x20 || first == 0x7f || is_control(text.substr(0, length)))
       result += "\xef\xbf\xbd";
     else
       result += text.substr(0, length);
