@@ -87,7 +87,7 @@ def again(name):
                          "spatial_filter", "temporal_filter", "box_width", "space_counts", "time_counts", "sigma_range",
                          "tau_range", "threshold",
                          "absolute_threshold") if q[k] is not None]
-    options += ["--triangulate"] * q["triangulate"] + ["--rescale-rest"] * q["rescale_rest"]
+    options += ["--triangulate"] * q["triangulate"] + ["--as-given"] * q["as_given"] + ["--rescale-rest"] * q["rescale_rest"]
     options += ["--no-suppression"] * (not q["suppression"])
     return options + q["inputs"]
 
@@ -512,6 +512,19 @@ check 'x["features"] == base["features"]'
 expect 0 "" c.pc2 c.obj --fps 10 -o x.json
 check 'x["features"] == base["features"]'
 
+# Numbers have signs where some names have none; what does not belong to the series is told.
+mkdir signed && (cd signed && python3 ../tool.py frames ../c "$(seq -s, -f 'sim%g.obj' -5 10)")
+cp c.obj signed/template.obj
+expect 0 "not among the 16 frames, to whose series the name does not belong: template.obj" signed --fps 10 -o x.json
+grep -q "read as numbers with signs, from sim-5.obj to sim10.obj" err || fail "signs in names: $(cat err)"
+grep -q " in 16 frames, computed in" err || fail "the number of frames is not told: $(cat err)"
+check 'x["features"] == base["features"]'
+expect 0 "" frames/walk{1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16}.obj --as-given --fps 10 -o x.json
+check 'x["features"] == base["features"] and p(x)["as_given"] is True'
+rm x.json
+input "walk9.obj: follows walk7.obj, but 1 of the series is missing" frames/walk{1..7}.obj frames/walk{9..16}.obj -o x.json
+usage "--as-given goes with" frames --as-given -o x.json
+
 # MDD files tell the time.
 python3 tool.py mdd c "0.5 + 0.1 * i" timed.mdd
 expect 0 "" c.obj timed.mdd -o x.json
@@ -573,8 +586,8 @@ lines=$(wc -l <f1.obj)
 { head -n $((lines - 2)) f1.obj; tail -n 2 f1.obj | tac; } >swapped.obj
 head -n -1 f1.obj >fewer.obj
 triangles=$(grep -c '^f ' f1.obj)
-input "swapped.obj: triangle $((triangles - 2))" f0.obj swapped.obj f2.obj -o x.json
-input "fewer.obj: has $((triangles - 1)) triangles" f0.obj fewer.obj f2.obj -o x.json
+input "swapped.obj: triangle $((triangles - 2))" --as-given f0.obj swapped.obj f2.obj -o x.json
+input "fewer.obj: has $((triangles - 1)) triangles" --as-given f0.obj fewer.obj f2.obj -o x.json
 input "swapped.obj: triangle $((triangles - 2))" c.obj c.pc2 --rest swapped.obj -o x.json
 input "other.obj: has" c.obj c.pc2 --rest other.obj -o x.json
 grep -q "c.obj" err || fail "a rest shape of another size: $(cat err)"
