@@ -149,6 +149,22 @@ elif command == "poke":  # base, frame, vertex, value, output: a PC2 with that x
     n = struct.unpack("<i", data[16:20])[0]
     struct.pack_into("<f", data, 32 + 12 * (n * int(arguments[1]) + int(arguments[2])), float(arguments[3]))
     open(arguments[4], "wb").write(data)
+elif command == "seam":  # base, output: cut open between the first triangle and its neighbours
+    n, f, frames = read_pc2(arguments[0])
+    lines = open(arguments[0] + ".obj").readlines()
+    first = next(i for i, line in enumerate(lines) if line.startswith("f "))
+    corners = [int(c) for c in lines[first].split()[1:]]
+    new = "f %d %d %d\n" % tuple(n + 1 + k for k in range(3))
+    vertices = [line for line in lines if line.startswith("v ")]
+    with open(arguments[1] + ".obj", "w") as file:
+        file.writelines(vertices + [vertices[c - 1] for c in corners] + [new] + lines[first + 1:])
+    with open(arguments[1] + ".pc2", "wb") as file:
+        header = bytearray(open(arguments[0] + ".pc2", "rb").read(32))
+        struct.pack_into("<i", header, 16, n + 3)
+        file.write(header)
+        for xyz in frames:
+            more = [x for c in corners for x in xyz[3 * (c - 1):3 * c]]
+            file.write(struct.pack("<%df" % (3 * n + 9), *xyz, *more))
 elif command == "cut":  # base, number of frames, output: a PC2 of the first frames
     data = bytearray(open(arguments[0] + ".pc2", "rb").read())
     n = struct.unpack("<i", data[16:20])[0]
@@ -525,12 +541,25 @@ rm x.json
 input "walk9.obj: follows walk7.obj, but 1 of the series is missing" frames/walk{1..7}.obj frames/walk{9..16}.obj -o x.json
 usage "--as-given goes with" frames --as-given -o x.json
 
+# A seam, along which the first vertex is there twice, is closed; what is reported are vertices of the file.
+python3 tool.py seam c seam
+expect 0 "lie where another one does in all frames: welded" seam.obj seam.pc2 --fps 10 -o x.json --vertex-map map.csv
+check 'where(x) == where(base) and all(f["file_vertices"][0] == f["vertex"] for f in x["features"])'
+check 'x["animation"]["vertices"] == base["animation"]["vertices"] and p(x)["weld"] == "auto"'
+check 'any(line.startswith("%d," % base["animation"]["vertices"]) for line in open("map.csv"))'
+expect 0 "" seam.obj seam.pc2 --fps 10 --rest seam.obj -o y.json
+check 'x["features"] == y["features"]'
+expect 0 "" seam.obj seam.pc2 --fps 10 --weld never -o y.json
+check 'y["animation"]["vertices"] > base["animation"]["vertices"]'
+
 # MDD files tell the time.
 python3 tool.py mdd c "0.5 + 0.1 * i" timed.mdd
 expect 0 "" c.obj timed.mdd -o x.json
 check 'where(x) == where(base) and near(p(x)["fps"], 10, 1e-5)'
 expect 0 "" c.obj timed.mdd --fps 10 -o x.json
 check 'x["features"] == base["features"]'
+python3 tool.py mdd c "i" numbers.mdd
+expect 0 "numbers.mdd: its times tell a frame rate of 1 a second; if they are numbers of frames" c.obj numbers.mdd -o x.json
 python3 tool.py mdd c "0.1 * i + (i > 5)" jump.mdd
 rm -f x.json
 input "frame 6" c.obj jump.mdd -o x.json
@@ -603,6 +632,17 @@ rm x.json
 mkdir nothing
 input "nothing: the folder has no mesh files" nothing -o x.json
 
+touch c.abc c.xyz
+input "c.abc: Alembic files (.abc) are not read; known are meshes (.obj, .off, .ply, .stl), point caches" c.abc -o x.json
+input "c.xyz: unknown kind of file" c.xyz c.pc2 -o x.json
+usage "--weld and --repair go with meshes" c.glb --repair -o x.json
+usage "choose among auto, always, never" c.obj c.pc2 --weld sometimes -o x.json
+# A face twice, and one that is turned round.
+{ cat c.obj; grep '^f ' c.obj | head -n 1; } >repeated.obj
+input "repeated.obj: " repeated.obj c.pc2 -o x.json
+expect 0 "note: repair: 1 face with the vertices of another face left out" repeated.obj c.pc2 --fps 10 --repair -o x.json
+check 'x["features"] == [dict(f, file_vertices=[f["vertex"]]) for f in base["features"]] and p(x)["repair"] is True'
+rm x.json
 for f in 0 1 2; do printf 'v 0 0 %s\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\n' $f >fan$f.obj; done
 input "fan0.obj: edge (0, 1)" fan0.obj fan1.obj fan2.obj -o x.json
 printf 'no mesh at all' >text.obj

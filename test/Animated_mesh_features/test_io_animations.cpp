@@ -26,6 +26,8 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <numeric>
+#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -149,6 +151,8 @@ void test_caches()
         ": frame 1, vertex 1: the position is not finite");
   error("x.pc2", p.substr(0, 32 + 68) + little_endian(0xffc00001u) + p.substr(32 + 72),
         ": frame 1, vertex 2: the position");
+  error("x.mdd", p, ": is no MDD file: this is a PC2 file, whose name should end in .pc2");
+  error("x.pc2", m, ": is no PC2 file: it does not start with POINTCACHE2; this is an MDD file, whose name should end");
   error("x.mdd", m.substr(0, 7), ": ends within the header");
   error("x.mdd", m.substr(0, 15), ": 3 points in 2 frames take 88 bytes, the file has 15: it is cut off after 0 whole");
   error("x.mdd", m.substr(0, 87), ": 3 points in 2 frames take 88 bytes, the file has 87: it is cut off after 1 whole");
@@ -605,6 +609,106 @@ void test_repair()
                strip[0] + ": the surface has one side only");
 }
 
+// A sheet of 20 x 20 vertices, or a closed tube of as many, that bends; `order` are the vertices as the cache has them.
+struct Sheet
+{
+  bool is_tube;
+  std::size_t n = 20;
+
+  std::array<double, 3> point(std::size_t v, double bending) const
+  {
+    const double i = double(v / n), j = double(v % n), angle = 2 * 3.14159265358979 * i / double(n);
+    if (is_tube) return {{4 * std::cos(angle) + bending * j, 4 * std::sin(angle), j}};
+    const double x = std::pow(i, 1.3), y = std::pow(j, 1.6) + 0.3 * std::sin(7 * i); // no two edges are alike
+    return {{x * std::cos(bending * y / 100), y, x * std::sin(bending * y / 100)}};
+  }
+
+  std::vector<std::string> write(const std::vector<std::size_t>& order, double scale = 1) const
+  {
+    IO::Indexed_mesh mesh;
+    for (std::size_t v = 0; v < n * n; ++v) mesh.points.push_back(point(v, 0));
+    for (std::size_t i = 0; i + 1 < (is_tube ? n + 1 : n); ++i)
+      for (std::size_t j = 0; j + 1 < n; ++j) {
+        const std::size_t a = i * n + j, b = (i + 1) % n * n + j;
+        mesh.triangles.push_back({{a, b, b + 1}});
+        mesh.triangles.push_back({{a, b + 1, a + 1}});
+      }
+    std::ostringstream obj, pc2;
+    IO::write_obj(obj, mesh);
+    IO::write_pc2(pc2, n * n, 8, [&](std::size_t f, float* xyz) {
+      for (std::size_t v : order)
+        for (double x : point(v, double(f))) *xyz++ = float(scale * x);
+    });
+    return {folder.write("sheet.obj", obj.str()), folder.write("sheet.pc2", pc2.str())};
+  }
+};
+
+void test_cache_fits()
+{
+  const auto notices = [](const std::vector<std::string>& inputs) {
+    return IO::read_animation<double>(inputs).notices;
+  };
+  const Sheet sheet = {false}, tube = {true};
+  std::vector<std::size_t> same(400), backwards, by_column, turned;
+  std::iota(same.begin(), same.end(), std::size_t(0));
+  backwards.assign(same.rbegin(), same.rend());
+  for (std::size_t v = 0; v < 400; ++v) by_column.push_back(v % 20 * 20 + v / 20);
+  std::vector<std::size_t> random = same, tenth = same;
+  std::mt19937 generator(1);
+  std::shuffle(random.begin(), random.end(), generator);
+  for (std::size_t v = 0; v + 50 < 400; v += 20) std::swap(tenth[v], tenth[v + 50]);
+  CHECK(notices(sheet.write(same)).empty() && notices(tube.write(same)).empty());
+  for (const auto& order : {backwards, by_column, random})
+    for (double scale : {1., 100.}) {
+      const std::vector<std::string> inputs = sheet.write(order, scale);
+      CHECK_THROWS(Input_error, notices(inputs),
+                   inputs[1] + ": its vertices are in another order than those of the mesh " + inputs[0]);
+    }
+  CHECK_THROWS(Input_error, notices(sheet.write(tenth)), "its vertices are in another order");
+  const std::vector<std::string> larger = sheet.write(same, 25.4);
+  CHECK(notices(larger) ==
+        std::vector<std::string>{"the mesh " + larger[0] + " is 25.4 times smaller than the frames of " + larger[1] +
+                                 ", as in another unit; positions and lengths are those "
+                                 "of the cache"});
+  CHECK(notices(sheet.write(same, 0.5)).size() == 1 && notices(sheet.write(same, 1.1)).empty());
+
+  // Regular meshes: exchanging a few vertices changes a few edges; a turned tube is the same tube.
+  std::vector<std::size_t> exchanged = same;
+  std::swap(exchanged[5], exchanged[207]);
+  CHECK_THROWS(Input_error, notices(tube.write(exchanged)), "though the points are the same");
+  for (std::size_t v = 0; v < 400; ++v) turned.push_back((v + 60) % 400);
+  CHECK(notices(tube.write(turned)).empty());
+}
+
+// STL names no vertices: corners that are together in all frames are one, whether others meet them in some frame or not.
+void test_stl_series()
+{
+  // two triangles with an edge in common; the two vertices beside it meet in frame `meeting`
+  const auto stl = [](int frame, int meeting) {
+    const std::string a = "vertex 0 0 0\n", b = "vertex 1 0 " + std::to_string(frame) + "\n";
+    const std::string c = frame == meeting ? "vertex 5 5 5\n" : "vertex 0 1 0\n";
+    const std::string d = frame == meeting ? "vertex 5 5 5\n" : "vertex 0 -1 0\n";
+    const std::string begin = "facet normal 0 0 0\nouter loop\n", end = "endloop\nendfacet\n";
+    return "solid\n" + begin + a + b + c + end + begin + b + a + d + end + "endsolid\n";
+  };
+  for (int meeting : {-1, 0, 1, 2}) {
+    std::vector<std::string> files;
+    for (int f = 0; f < 3; ++f) files.push_back(folder.write("stl/" + std::to_string(f) + ".stl", stl(f, meeting)));
+    const auto data = IO::read_animation<double>(files);
+    CHECK(data.mesh.points.size() == 4 && data.frames == 3 && data.origins.empty());
+    CHECK((data.mesh.triangles == std::vector<std::array<std::size_t, 3>>{{{0, 1, 2}}, {{1, 0, 3}}}));
+    for (int f = 0; f < 3; ++f) {
+      CHECK(data.z(1, std::size_t(f)) == f);
+      CHECK(data.y(2, std::size_t(f)) == (f == meeting ? 5 : 1) &&
+            data.y(3, std::size_t(f)) == (f == meeting ? 5 : -1));
+    }
+  }
+  folder.write("stl/1.stl", "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+                            "endfacet\nendsolid\n");
+  CHECK_THROWS(Input_error, IO::read_animation<double>({folder.path("stl")}),
+               folder.path("stl/1.stl") + ": has 1 triangles, but the first frame, ");
+}
+
 // An animation large enough to be read in several pieces, by several threads: a strip of triangles whose vertices jump
 // about. Coordinates are exact in single precision and have several digits behind the point.
 struct Strip
@@ -848,6 +952,8 @@ int main()
   test_welding<float>();
   test_welding<double>();
   test_repair();
+  test_stl_series();
+  test_cache_fits();
   test_strip<float, CGAL::Parallel_if_available_tag>();
   test_strip<double, CGAL::Parallel_if_available_tag>();
   test_strip<float, CGAL::Sequential_tag>();
