@@ -333,6 +333,8 @@ void test_folder()
   const std::vector<std::string> told = {
       "not among the 3 frames, to whose series the name does not belong: rest.ply, walk_9 copy.obj"};
   CHECK(IO::read_animation<double>({walk}).notices == told);
+  const IO::Numbered_series with_template = IO::numbered_series({"f-1.obj", "f1.obj", "f0.obj", "f.obj"}, true);
+  CHECK((with_template.files == Names{"f-1.obj", "f0.obj", "f1.obj"} && with_template.others == Names{"f.obj"}));
   IO::Mesh_reading_options as_given;
   as_given.frames_as_given = true;
   const Names reversed = {in_walk("walk_10.obj"), in_walk("walk_8.obj"), in_walk("rest.ply")};

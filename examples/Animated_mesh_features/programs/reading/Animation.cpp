@@ -149,13 +149,13 @@ Animation::Animation(const Reading_options& options, const AMF::IO::Memory_choos
   m_frames_per_second = Programs::frames_per_second(options, data);
   m_clip_name = Programs::clip_name(data);
   m_clips = data.clips;
-  m_origins = std::move(data.origins);
   m_remarks = std::move(data.remarks);
   m_notices = std::move(data.notices);
   add_notice_of_slow_frames(options, m_frames_per_second, data, m_notices);
   m_mesh = AMF::IO::to_surface_mesh(data.mesh, data.sources.front());
   m_sequence.emplace(m_mesh, std::move(data.x), std::move(data.y), std::move(data.z), 1 / m_frames_per_second);
   m_rest_factor = set_rest(options, data, *m_sequence);
+  m_origins = std::move(data.origins);
 }
 
 } // namespace Programs

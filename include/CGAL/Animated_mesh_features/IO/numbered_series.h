@@ -64,23 +64,39 @@ inline Series_names series_names(const std::vector<std::string>& files, Number_f
   return names;
 }
 
-// Files whose names have the same text and some number, the larger group first.
-inline std::vector<std::vector<std::string>> series_by_text(const std::vector<std::string>& files, Number_form form)
+typedef std::vector<std::vector<std::string>> File_groups;
+
+// Files whose names have the same text, the larger group first.
+inline File_groups groups_by_text(const std::vector<std::string>& files, Number_form form)
 {
   std::map<std::string, std::vector<std::string>> by_text;
   const Series_names names = series_names(files, form);
   for (std::size_t i = 0; i < files.size(); ++i) by_text[names[i].text].push_back(files[i]);
-  std::vector<std::vector<std::string>> groups;
+  File_groups groups;
   for (auto& group : by_text) groups.push_back(std::move(group.second));
   std::stable_sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });
   return groups;
+}
+
+constexpr Number_form number_forms[] = {Number_form::WHOLE, Number_form::SIGNED, Number_form::DECIMAL,
+                                        Number_form::SCIENTIFIC};
+
+// The same in the form in which most names have the same text; the simplest one of several.
+inline File_groups largest_series(const std::vector<std::string>& files)
+{
+  File_groups largest;
+  for (Number_form form : number_forms) {
+    File_groups groups = groups_by_text(files, form);
+    if (largest.empty() || groups[0].size() > largest[0].size()) largest = std::move(groups);
+  }
+  return largest;
 }
 
 // The orders that the names may mean; none unless in some form they differ in numbers only.
 inline std::vector<Series_order> possible_orders(const std::vector<std::string>& files)
 {
   std::vector<Series_order> orders;
-  for (Number_form form : {Number_form::WHOLE, Number_form::SIGNED, Number_form::DECIMAL, Number_form::SCIENTIFIC}) {
+  for (Number_form form : number_forms) {
     const Series_names names = series_names(files, form);
     const bool is_one =
         std::all_of(names.begin(), names.end(), [&](const Numbered_name& n) { return n.text == names.front().text; });
@@ -164,8 +180,8 @@ inline Numbered_series numbered_series(std::vector<std::string> files, bool leav
   const auto twice = std::adjacent_find(files.begin(), files.end());
   if (twice != files.end()) throw Input_error(*twice + ": is given twice");
   Numbered_series series;
-  const auto groups = internal::series_by_text(files, internal::Number_form::WHOLE);
-  if (groups.size() > 1 && internal::possible_orders(files).empty()) {
+  const internal::File_groups groups = internal::largest_series(files);
+  if (groups.size() > 1) {
     const std::vector<std::string>& main = groups[0];
     const std::string main_text = "the series of " + internal::file_name(main[0]) + " (" + std::to_string(main.size()) +
                                   (main.size() == 1 ? " file)" : " files)");
