@@ -614,6 +614,15 @@ void test_hdf5()
       for (std::size_t f = 0; f < frames; ++f)
         CHECK(data.x(v, f) == x(v, 0, f) && data.y(v, f) == x(v, 1, f) && data.z(v, f) == x(v, 2, f));
   }
+  // faces from 1, as those of MATLAB: the largest is the number of vertices
+  write_dataset(file, "faces of MATLAB", {2, 3}, {1, 2, 3, 3, 2, 5});
+  const auto from_one = IO::read_hdf5<double>(file, "", "faces of MATLAB");
+  CHECK((from_one.mesh.triangles == Triangles{{{0, 1, 2}}, {{2, 1, 4}}}) && from_one.notices.size() == 1);
+  CHECK(from_one.notices[0].find("count vertices from 1") != std::string::npos);
+  // the first sequence that has the vertices of the faces
+  write_dataset(file, "faces of six", {2, 3}, {0, 1, 2, 2, 1, 5});
+  const auto fitting = IO::read_hdf5<double>(file, "", "faces of six");
+  CHECK(fitting.clips[fitting.clip] == "unclear" && fitting.notices.empty());
   const auto by_number = IO::read_hdf5<float>(file, "3");
   CHECK(by_number.clip == 3 && by_number.clips[3] == "group/walking" && by_number.frames == frames);
   CHECK_THROWS(Option_error, IO::read_hdf5<double>(file, "swimming"), "there is no clip \"swimming\"");

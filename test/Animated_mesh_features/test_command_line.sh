@@ -87,7 +87,7 @@ def again(name):
                          "spatial_filter", "temporal_filter", "box_width", "space_counts", "time_counts", "sigma_range",
                          "tau_range", "threshold",
                          "absolute_threshold") if q[k] is not None]
-    options += ["--triangulate"] * q["triangulate"] + ["--rescale-rest"] * q["rescale_rest"]
+    options += ["--triangulate"] * q["triangulate"] + ["--as-given"] * q["as_given"] + ["--rescale-rest"] * q["rescale_rest"]
     options += ["--no-suppression"] * (not q["suppression"])
     return options + q["inputs"]
 
@@ -149,6 +149,22 @@ elif command == "poke":  # base, frame, vertex, value, output: a PC2 with that x
     n = struct.unpack("<i", data[16:20])[0]
     struct.pack_into("<f", data, 32 + 12 * (n * int(arguments[1]) + int(arguments[2])), float(arguments[3]))
     open(arguments[4], "wb").write(data)
+elif command == "seam":  # base, output: cut open between the first triangle and its neighbours
+    n, f, frames = read_pc2(arguments[0])
+    lines = open(arguments[0] + ".obj").readlines()
+    first = next(i for i, line in enumerate(lines) if line.startswith("f "))
+    corners = [int(c) for c in lines[first].split()[1:]]
+    new = "f %d %d %d\n" % tuple(n + 1 + k for k in range(3))
+    vertices = [line for line in lines if line.startswith("v ")]
+    with open(arguments[1] + ".obj", "w") as file:
+        file.writelines(vertices + [vertices[c - 1] for c in corners] + [new] + lines[first + 1:])
+    with open(arguments[1] + ".pc2", "wb") as file:
+        header = bytearray(open(arguments[0] + ".pc2", "rb").read(32))
+        struct.pack_into("<i", header, 16, n + 3)
+        file.write(header)
+        for xyz in frames:
+            more = [x for c in corners for x in xyz[3 * (c - 1):3 * c]]
+            file.write(struct.pack("<%df" % (3 * n + 9), *xyz, *more))
 elif command == "cut":  # base, number of frames, output: a PC2 of the first frames
     data = bytearray(open(arguments[0] + ".pc2", "rb").read())
     n = struct.unpack("<i", data[16:20])[0]
@@ -533,12 +549,39 @@ check 'x["features"] == base["features"]'
 expect 0 "" c.pc2 c.obj --fps 10 -o x.json
 check 'x["features"] == base["features"]'
 
+# Numbers have signs where some names have none; what does not belong to the series is told.
+mkdir signed && (cd signed && python3 ../tool.py frames ../c "$(seq -s, -f 'sim%g.obj' -5 10)")
+cp c.obj signed/template.obj
+expect 0 "not among the 16 frames, to whose series the name does not belong: template.obj" signed --fps 10 -o x.json
+grep -q "read as numbers with signs, from sim-5.obj to sim10.obj" err || fail "signs in names: $(cat err)"
+grep -q " in 16 frames, computed in" err || fail "the number of frames is not told: $(cat err)"
+check 'x["features"] == base["features"]'
+expect 0 "" frames/walk{1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16}.obj --as-given --fps 10 -o x.json
+check 'x["features"] == base["features"] and p(x)["as_given"] is True'
+rm x.json
+input "walk9.obj: follows walk7.obj, but 1 of the series is missing" frames/walk{1..7}.obj frames/walk{9..16}.obj -o x.json
+usage "--as-given goes with" frames --as-given -o x.json
+
+# A seam, along which the first vertex is there twice, is closed; what is reported are vertices of the file.
+python3 tool.py seam c seam
+expect 0 "lie where another one does in all frames: welded" seam.obj seam.pc2 --fps 10 -o x.json --vertex-map map.csv
+check 'where(x) == where(base) and all(f["file_vertices"][0] == f["vertex"] for f in x["features"])'
+check 'x["animation"]["vertices"] == base["animation"]["vertices"] and p(x)["weld"] == "auto"'
+check 'any(line.startswith("%d," % base["animation"]["vertices"]) for line in open("map.csv"))'
+expect 0 "" seam.obj seam.pc2 --fps 10 --rest seam.obj -o y.json
+expect 0 "" c.obj c.pc2 --fps 10 --rest c.obj -o z.json
+check 'where(y) == where(z) and len(where(z)) > 0'
+expect 0 "" seam.obj seam.pc2 --fps 10 --weld never -o y.json
+check 'y["animation"]["vertices"] > base["animation"]["vertices"]'
+
 # MDD files tell the time.
 python3 tool.py mdd c "0.5 + 0.1 * i" timed.mdd
 expect 0 "" c.obj timed.mdd -o x.json
 check 'where(x) == where(base) and near(p(x)["fps"], 10, 1e-5)'
 expect 0 "" c.obj timed.mdd --fps 10 -o x.json
 check 'x["features"] == base["features"]'
+python3 tool.py mdd c "i" numbers.mdd
+expect 0 "numbers.mdd: its times tell a frame rate of 1 a second; if they are numbers of frames" c.obj numbers.mdd -o x.json
 python3 tool.py mdd c "0.1 * i + (i > 5)" jump.mdd
 rm -f x.json
 input "frame 6" c.obj jump.mdd -o x.json
@@ -594,8 +637,8 @@ lines=$(wc -l <f1.obj)
 { head -n $((lines - 2)) f1.obj; tail -n 2 f1.obj | tac; } >swapped.obj
 head -n -1 f1.obj >fewer.obj
 triangles=$(grep -c '^f ' f1.obj)
-input "swapped.obj: triangle $((triangles - 2))" f0.obj swapped.obj f2.obj -o x.json
-input "fewer.obj: has $((triangles - 1)) triangles" f0.obj fewer.obj f2.obj -o x.json
+input "swapped.obj: triangle $((triangles - 2))" --as-given f0.obj swapped.obj f2.obj -o x.json
+input "fewer.obj: has $((triangles - 1)) triangles" --as-given f0.obj fewer.obj f2.obj -o x.json
 input "swapped.obj: triangle $((triangles - 2))" c.obj c.pc2 --rest swapped.obj -o x.json
 input "other.obj: has" c.obj c.pc2 --rest other.obj -o x.json
 grep -q "c.obj" err || fail "a rest shape of another size: $(cat err)"
@@ -617,6 +660,17 @@ done
 mkdir nothing
 input "nothing: the folder has no mesh files" nothing -o x.json
 
+touch c.abc c.xyz
+input "c.abc: Alembic files (.abc) are not read; known are meshes (.obj, .off, .ply, .stl), point caches" c.abc -o x.json
+input "c.xyz: unknown kind of file" c.xyz c.pc2 -o x.json
+usage "--weld and --repair go with meshes" c.glb --repair -o x.json
+usage "choose among auto, always, never" c.obj c.pc2 --weld sometimes -o x.json
+# A face twice, and one that is turned round.
+{ cat c.obj; grep '^f ' c.obj | head -n 1; } >repeated.obj
+input "repeated.obj: " repeated.obj c.pc2 -o x.json
+expect 0 "note: repair: 1 face with the vertices of another face left out" repeated.obj c.pc2 --fps 10 --repair -o x.json
+check 'x["features"] == [dict(f, file_vertices=[f["vertex"]]) for f in base["features"]] and p(x)["repair"] is True'
+rm x.json
 for f in 0 1 2; do printf 'v 0 0 %s\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 2 1 4\nf 1 2 5\n' $f >fan$f.obj; done
 input "fan0.obj: edge (0, 1)" fan0.obj fan1.obj fan2.obj -o x.json
 printf 'no mesh at all' >text.obj

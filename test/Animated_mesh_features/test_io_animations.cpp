@@ -12,7 +12,9 @@
 #include <CGAL/Animated_mesh_features/IO/Point_cache_reader.h>
 #include <CGAL/Animated_mesh_features/IO/frame_files_in_folder.h>
 #include <CGAL/Animated_mesh_features/IO/natural_order.h>
+#include <CGAL/Animated_mesh_features/IO/numbered_series.h>
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
+#include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>
 #include <CGAL/Animated_mesh_features/IO/write_obj.h>
 #include <CGAL/Animated_mesh_features/IO/write_point_cache.h>
 
@@ -20,9 +22,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <numeric>
+#include <random>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -146,6 +151,8 @@ void test_caches()
         ": frame 1, vertex 1: the position is not finite");
   error("x.pc2", p.substr(0, 32 + 68) + little_endian(0xffc00001u) + p.substr(32 + 72),
         ": frame 1, vertex 2: the position");
+  error("x.mdd", p, ": is no MDD file: this is a PC2 file, whose name should end in .pc2");
+  error("x.pc2", m, ": is no PC2 file: it does not start with POINTCACHE2; this is an MDD file, whose name should end");
   error("x.mdd", m.substr(0, 7), ": ends within the header");
   error("x.mdd", m.substr(0, 15), ": 3 points in 2 frames take 88 bytes, the file has 15: it is cut off after 0 whole");
   error("x.mdd", m.substr(0, 87), ": 3 points in 2 frames take 88 bytes, the file has 87: it is cut off after 1 whole");
@@ -226,16 +233,117 @@ void test_natural_order()
   CHECK(good);
 }
 
+typedef std::vector<std::string> Names;
+
+// Names that are in order already are put in order whatever order they come in.
+void check_series(const Names& names, const std::string& reading = "")
+{
+  Names shuffled = names;
+  std::sort(shuffled.begin(), shuffled.end());
+  std::reverse(shuffled.begin(), shuffled.end());
+  try {
+    const IO::Numbered_series series = IO::numbered_series(shuffled, false);
+    report(series.files == names && series.others.empty() && series.reading == reading, __FILE__, __LINE__,
+           names[0] + ", " + names[1] + "...: " + series.files[0] + " is first, as " + series.reading);
+  } catch (const Input_error& e) {
+    report(false, __FILE__, __LINE__, e.what());
+  }
+}
+
+void test_numbered_series()
+{
+  Names unpadded, versions, hundredths;
+  for (int i = 1; i <= 12; ++i) {
+    unpadded.push_back("walk" + std::to_string(i) + ".obj");
+    versions.push_back("v2." + std::to_string(i) + ".obj");
+    hundredths.push_back("t" + std::to_string(i * 25 / 100) + "." + std::to_string(i * 25 % 100) + ".obj");
+  }
+  check_series(unpadded);
+  check_series(versions);                      // 2.1 and 2.10 are one decimal number
+  check_series(hundredths, "decimal numbers"); // .25, .50, .75, 1.0
+  check_series({"walk_008.obj", "walk_009.OBJ", "Walk_010.obj"});
+  check_series({"998.obj", "999.obj", "1000.obj"});
+  check_series({"f01.obj", "f2.obj", "f03.obj"});
+  check_series({"f0.obj", "f5.obj", "f10.obj"});              // every fifth
+  check_series({"f0.obj", "f33.obj", "f67.obj", "f100.obj"}); // milliseconds
+  check_series({"3.9.obj", "3.10.obj", "3.11.obj"});
+  check_series({"seq7/a1.obj", "seq7/a2.obj", "./seq7/a3.obj"});
+  check_series({"frame1/mesh.obj", "frame2/mesh.obj", "frame10/../frame3/mesh.obj"});
+  check_series({"a1_f1.obj", "a1_f2.obj", "a2_f3.obj"}); // the second number counts
+  // signs, or hyphens
+  check_series({"sim-2.obj", "sim-1.obj", "sim0.obj", "sim1.obj"}, "numbers with signs");
+  check_series({"sim-8.obj", "sim-9.obj", "sim-10.obj"});
+  check_series({"sim.-0010.obj", "sim.-0005.obj", "sim.0000.obj"}, "numbers with signs");
+  check_series({"x--1.obj", "x-0.obj", "x-1.obj"}, "numbers with signs");
+  check_series({"x-1.obj", "x+0.obj", "x+1.obj"}, "numbers with signs");
+  // fractions and exponents
+  check_series({"t0.obj", "t0.5.obj", "t1.obj", "t1.5.obj"}, "decimal numbers");
+  check_series({"t0,8.obj", "t0,9.obj", "t1,0.obj"}, "decimal numbers");
+  check_series({"t-0.5.obj", "t0.0.obj", "t0.5.obj"}, "decimal numbers");
+  check_series({"t0.0333333.obj", "t0.0666667.obj", "t0.1.obj", "t0.133333.obj"}, "decimal numbers");
+  check_series({"t5e-3.obj", "t1e-2.obj", "t1.5e-2.obj", "t0.02.obj"}, "numbers with exponents");
+  // dates
+  check_series({"2023-12-31.obj", "2024-01-01.obj", "2024-01-02.obj"}, "dates (year, month, day)");
+  check_series({"20240228.obj", "20240229.obj", "20240301.obj"}, "dates (year, month, day)");
+  check_series({"29.02.2024.obj", "01.03.2024.obj", "02.03.2024.obj"}, "dates (day, month, year)");
+  check_series({"12-31-2023.obj", "01-01-2024.obj", "01-02-2024.obj"}, "dates (month, day, year)");
+  check_series({"scan_20231231_235959.obj", "scan_20240101_000000.obj", "scan_20240101_000001.obj"},
+               "dates (year, month, day)");
+  check_series({"2024-01-31T23-59-30_f.obj", "2024-02-01T00-00-00_f.obj", "2024-02-01T00-00-30_f.obj"},
+               "dates (year, month, day)");
+  check_series({"2024-01-31_f9.obj", "2024-01-31_f10.obj"});
+}
+
+void test_no_series()
+{
+  const auto error = [](const Names& names, const std::string& message) {
+    CHECK_THROWS(Input_error, IO::numbered_series(names, false), message);
+  };
+  error({"f1.obj", "f2.obj", "f6.obj", "f7.obj"}, "f6.obj: follows f2.obj, but 3 of the series are missing between");
+  error({"f1.obj", "f2.obj", "f4.obj", "f5.obj"}, "f4.obj: follows f2.obj, but 1 of the series is missing between");
+  error({"f-2.obj", "f-1.obj", "f1.obj", "f2.obj"}, "f1.obj: follows f-1.obj, but 1 of the series is missing");
+  error({"t0.25.obj", "t0.5.obj", "t1.0.obj", "t1.25.obj"}, "t1.0.obj: follows t0.5.obj, but 1 of the series is");
+  error({"f0.obj", "f10.obj", "f20.obj", "f34.obj"}, "f34.obj: follows f20.obj at another distance than most");
+  error({"f1.obj", "f01.obj", "f2.obj"}, "f01.obj: has the same number as f1.obj: a copy, or the frame of another");
+  error({"f1.obj", "f2.obj", "f2.ply"}, "f2.ply: has the same number as f2.obj");
+  error({"f1.obj", "f2.obj", "f1.obj"}, "f1.obj: is given twice");
+  error({"a1_f1.obj", "a1_f2.obj", "a2_f1.obj", "a2_f2.obj"}, "a2_f1.obj: has the same number as a1_f1.obj");
+  error({"a1.obj", "a2.obj", "b1.obj", "b2.obj", "b3.obj"},
+        "a1.obj: is one of 2 files of another series than the series of b1.obj (3 files)");
+  error({"f0.obj", "f1.obj", "f2.obj", "f1 (1).obj"}, "f1 (1).obj: its name does not belong to the series of f0.obj");
+  error({"a.obj", "b.obj", "c.obj"}, "b.obj: its name does not belong to the series of a.obj (1 file); if the names do "
+                                     "not tell the order, give the frames one by one with the option frames_as_given "
+                                     "(command line: --as-given)");
+  error({"f1_r2.obj", "f2_r1.obj"}, "two orders are possible");
+  error({"01-02-2024.obj", "02-01-2024.obj"}, "two orders are possible");
+  error({"f123456789012345678901.obj", "f123456789012345678902.obj"}, "has no number that tells its place");
+}
+
 void test_folder()
 {
-  for (const char* name :
-       {"walk_10.obj", "walk_2.OBJ", "walk_1.obj", ".walk_0.obj", "rest.ply", "notes.txt", "walk.pc2"})
+  for (const char* name : {"walk_10.obj", "walk_9.OBJ", "walk_8.obj", ".walk_0.obj", "rest.ply", "walk_9 copy.obj",
+                           "notes.txt", "walk.pc2"})
     folder.write(std::string("walk/") + name, obj(0));
   std::filesystem::create_directory(folder.path("walk/walk_3.obj"));
   const std::string walk = folder.path("walk");
   const auto in_walk = [&](const char* name) { return (std::filesystem::path(walk) / name).string(); };
-  CHECK((IO::frame_files_in_folder(walk) ==
-         std::vector<std::string>{in_walk("walk_1.obj"), in_walk("walk_2.OBJ"), in_walk("walk_10.obj")}));
+  const IO::Numbered_series series = IO::frame_files_in_folder(walk);
+  CHECK((series.files == Names{in_walk("walk_8.obj"), in_walk("walk_9.OBJ"), in_walk("walk_10.obj")}));
+  CHECK((series.others == Names{in_walk("rest.ply"), in_walk("walk_9 copy.obj")}));
+  const std::vector<std::string> told = {
+      "not among the 3 frames, to whose series the name does not belong: rest.ply, walk_9 copy.obj"};
+  CHECK(IO::read_animation<double>({walk}).notices == told);
+  const IO::Numbered_series with_template = IO::numbered_series({"f-1.obj", "f1.obj", "f0.obj", "f.obj"}, true);
+  CHECK((with_template.files == Names{"f-1.obj", "f0.obj", "f1.obj"} && with_template.others == Names{"f.obj"}));
+  IO::Mesh_reading_options as_given;
+  as_given.frames_as_given = true;
+  const Names reversed = {in_walk("walk_10.obj"), in_walk("walk_8.obj"), in_walk("rest.ply")};
+  folder.write("walk/rest.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                                "property float z\nelement face 1\nproperty list int int vertex_index\nend_header\n"
+                                "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  CHECK(IO::read_animation<double>(reversed, as_given).sources == reversed);
+  CHECK_THROWS(Input_error, IO::read_animation<double>({walk}, as_given),
+               walk + ": the files of a folder are in no order");
 
   folder.write("tie/1.obj", "");
   folder.write("tie/1.off", "");
@@ -332,7 +440,9 @@ void test_animation_errors()
   error({mesh, folder.path()}, folder.path() + ": a folder of frames must be the only input");
   error({mesh4, cache}, cache + ": has 3 points, but the mesh " + mesh4 + " has 4 vertices");
   error({mesh, folder.write("one.pc2", pc2(1))}, "one.pc2: one frame is no animation");
-  error({mesh, folder.write("x.txt", "")}, "x.txt: unknown kind of mesh file \".txt\"");
+  error({mesh, folder.write("x.txt", "")}, "x.txt: unknown kind of file \".txt\"; known are meshes (.obj, ");
+  error({mesh, folder.write("x.abc", "")}, "x.abc: Alembic files (.abc) are not read; known are meshes (.obj, ");
+  error({folder.write("ending", "")}, "ending: unknown kind of file, without an ending");
 
   folder.write("s/f1.obj", obj(0));
   const std::string second = folder.write("s/f2.obj", obj(1, "f 1 2 3\nf 3 2 1\n"));
@@ -357,6 +467,248 @@ void test_animation_errors()
   IO::Mesh_reading_options options;
   options.triangulate_faces = true;
   CHECK(IO::read_animation<float>({folder.path("q")}, options).mesh.triangles.size() == 2);
+}
+
+// A tube that was cut open along a line: its first and last columns are at the same places in all frames.
+struct Cut_tube
+{
+  std::size_t columns = 6, rings = 4;
+
+  std::array<double, 3> point(std::size_t column, std::size_t ring, std::size_t frame) const
+  {
+    const double angle = 2 * 3.14159265358979 * double(column % columns) / double(columns);
+    return {{std::cos(angle) * (1 + 0.1 * double(frame * ring)), std::sin(angle), double(ring)}};
+  }
+
+  // `more`: lines after those of the tube
+  std::string obj(std::size_t frame, const std::string& more = "") const
+  {
+    std::ostringstream os;
+    os.imbue(std::locale::classic());
+    for (std::size_t c = 0; c <= columns; ++c)
+      for (std::size_t r = 0; r < rings; ++r) {
+        const auto p = point(c, r, frame);
+        os << "v " << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
+      }
+    for (std::size_t c = 0; c < columns; ++c)
+      for (std::size_t r = 0; r + 1 < rings; ++r) {
+        const std::size_t a = 1 + c * rings + r, b = a + rings;
+        os << "f " << a << ' ' << b << ' ' << b + 1 << "\nf " << a << ' ' << b + 1 << ' ' << a + 1 << '\n';
+      }
+    return os.str() + more;
+  }
+
+  std::vector<std::string> write(const std::string& name, const std::string& more = "") const
+  {
+    std::vector<std::string> files;
+    for (std::size_t f = 0; f < 3; ++f) files.push_back(folder.write(name + std::to_string(f) + ".obj", obj(f, more)));
+    return files;
+  }
+};
+
+template <class FT>
+IO::Animation_file_data<FT> read_with(const std::vector<std::string>& files, IO::Welding welding, bool repair = false)
+{
+  IO::Mesh_reading_options options;
+  options.welding = welding;
+  options.repair = repair;
+  return IO::read_animation<FT>(files, options);
+}
+
+template <class FT>
+void test_welding()
+{
+  const Cut_tube tube;
+  const std::size_t n = tube.columns * tube.rings;
+  const std::vector<std::string> files = tube.write("tube/f");
+  for (IO::Welding welding : {IO::Welding::AUTO, IO::Welding::ALWAYS}) {
+    const auto data = read_with<FT>(files, welding);
+    const auto surface = IO::to_surface_mesh(data.mesh, "tube");
+    CHECK(num_vertices(surface) == n && num_faces(surface) == 2 * tube.columns * (tube.rings - 1));
+    const auto halfedges = surface.halfedges();
+    CHECK(std::count_if(halfedges.begin(), halfedges.end(), [&](auto h) { return surface.is_border(h); }) ==
+          std::ptrdiff_t(2 * tube.columns));
+    CHECK(data.file_mesh.points.size() == n + tube.rings && data.x.number_of_rows() == n);
+    CHECK(data.notices.size() == 2 && data.notices[0] == "4 vertices lie where another one does in all frames: welded");
+    bool good = true;
+    for (std::size_t v = 0; v < n; ++v) {
+      std::vector<std::size_t> origins = {v}; // those of the first column have a twin in the last
+      if (v < tube.rings) origins.push_back(n + v);
+      good = good && data.origins.of(v) == origins;
+      for (std::size_t f = 0; f < 3; ++f) {
+        const auto p = tube.point(v / tube.rings, v % tube.rings, f);
+        good = good && std::abs(double(data.x(v, f)) - p[0]) + std::abs(double(data.y(v, f)) - p[1]) +
+                               std::abs(double(data.z(v, f)) - p[2]) <
+                           1e-4;
+      }
+    }
+    CHECK(good);
+  }
+  const auto cut = read_with<FT>(files, IO::Welding::NEVER);
+  CHECK(cut.mesh.points.size() == n + tube.rings && cut.origins.empty() && cut.notices.empty());
+  CHECK(cut.file_mesh.points.empty());
+
+  // A flap at the seam: three borders meet there, of which no two belong together.
+  std::string flap = "v 3 0 0\n";
+  for (std::size_t r = 0; r < tube.rings; ++r) {
+    std::ostringstream line;
+    line << "v 1 0 " << r << '\n'; // where the seam is in the first frame, but not later
+    flap += line.str();
+  }
+  flap += "f 29 30 31\nf 29 31 32\nf 29 32 33\n";
+  CHECK(read_with<FT>(tube.write("parting/f", flap), IO::Welding::AUTO).mesh.points.size() == n + 5);
+  std::vector<std::string> flaps;
+  for (std::size_t f = 0; f < 3; ++f) {
+    std::string text = tube.obj(f) + "v 3 0 0\n";
+    std::istringstream lines(tube.obj(f));
+    std::string line;
+    for (std::size_t r = 0; r < tube.rings && std::getline(lines, line); ++r) text += line + '\n';
+    flaps.push_back(folder.write("flap/f" + std::to_string(f) + ".obj", text + "f 29 30 31\nf 29 31 32\nf 29 32 33\n"));
+  }
+  const auto open = read_with<FT>(flaps, IO::Welding::AUTO);
+  CHECK(open.mesh.points.size() == n + tube.rings + 5 && open.origins.empty());
+  CHECK(open.notices ==
+        std::vector<std::string>{"8 vertices lie where another one does in all frames, but welding would "
+                                 "not make a manifold: left as they are"});
+  CHECK_THROWS(Input_error, read_with<FT>(flaps, IO::Welding::ALWAYS), "would not make a manifold at 3 edges");
+}
+
+void test_repair()
+{
+  const Cut_tube tube;
+  const auto repaired = [&](const std::string& name, const std::string& more) {
+    const std::vector<std::string> files = tube.write(name + "/f", more);
+    const auto data = read_with<double>(files, IO::Welding::AUTO, true);
+    IO::to_surface_mesh(data.mesh, name);
+    // without, the file is what is wrong
+    const auto as_it_is = read_with<double>(files, IO::Welding::AUTO);
+    CHECK_THROWS(Input_error, IO::to_surface_mesh(as_it_is.mesh, files[0]), files[0] + ": ");
+    return data;
+  };
+  const auto is_told = [](const IO::Animation_file_data<double>& data, const std::string& notice) {
+    return std::find(data.notices.begin(), data.notices.end(), notice) != data.notices.end();
+  };
+  const std::size_t n = tube.columns * tube.rings, faces = 2 * tube.columns * (tube.rings - 1);
+  const auto twice = repaired("twice", "f 1 2 2\nf 6 1 5\nf 1 5 6\n");
+  CHECK(is_told(twice, "repair: 1 face with the same vertex twice left out"));
+  CHECK(is_told(twice, "repair: 2 faces with the vertices of another face left out"));
+  CHECK(twice.mesh.points.size() == n && twice.mesh.triangles.size() == faces);
+  const auto turned = repaired("turned", "v 0 0 9\nv 9 0 0\nf 1 5 29\n"); // walks along (1, 5) as face (1, 5, 6) does
+  CHECK(is_told(turned, "repair: 1 face turned round to agree with their neighbours"));
+  CHECK((turned.mesh.triangles.back() == std::array<std::size_t, 3>{{0, n, 4}}));
+  CHECK(turned.origins.of(n) == std::vector<std::size_t>{28} && is_told(turned, "1 vertex in no triangle left out"));
+  const auto bow = repaired("bow", "v 0 0 9\nv 9 0 9\nf 9 29 30\n"); // touches the border in vertex 9
+  CHECK(is_told(bow, "1 vertex split where the surface meets in a point only"));
+  CHECK(bow.mesh.points.size() == n + 3);
+  const auto third = repaired("third", "v 0 0 9\nf 6 1 29\n");
+  CHECK(is_told(third, "repair: 1 edge cut open where more than two faces meet"));
+  std::vector<std::string> strip;
+  for (std::size_t f = 0; f < 3; ++f)
+    strip.push_back(folder.write("moebius/f" + std::to_string(f) + ".obj",
+                                 "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 1 0 1\nv 1 1 0\nv 1 1 1\n"
+                                 "f 1 2 3\nf 2 3 4\nf 3 4 5\nf 4 5 6\nf 5 6 2\nf 6 2 1\n"));
+  CHECK_THROWS(Input_error, read_with<double>(strip, IO::Welding::AUTO, true),
+               strip[0] + ": the surface has one side only");
+}
+
+// A sheet of 20 x 20 vertices, or a closed tube of as many, that bends; `order` are the vertices as the cache has them.
+struct Sheet
+{
+  bool is_tube;
+  std::size_t n = 20;
+
+  std::array<double, 3> point(std::size_t v, double bending) const
+  {
+    const double i = double(v / n), j = double(v % n), angle = 2 * 3.14159265358979 * i / double(n);
+    if (is_tube) return {{4 * std::cos(angle) + bending * j, 4 * std::sin(angle), j}};
+    const double x = std::pow(i, 1.3), y = std::pow(j, 1.6) + 0.3 * std::sin(7 * i); // no two edges are alike
+    return {{x * std::cos(bending * y / 100), y, x * std::sin(bending * y / 100)}};
+  }
+
+  std::vector<std::string> write(const std::vector<std::size_t>& order, double scale = 1) const
+  {
+    IO::Indexed_mesh mesh;
+    for (std::size_t v = 0; v < n * n; ++v) mesh.points.push_back(point(v, 0));
+    for (std::size_t i = 0; i + 1 < (is_tube ? n + 1 : n); ++i)
+      for (std::size_t j = 0; j + 1 < n; ++j) {
+        const std::size_t a = i * n + j, b = (i + 1) % n * n + j;
+        mesh.triangles.push_back({{a, b, b + 1}});
+        mesh.triangles.push_back({{a, b + 1, a + 1}});
+      }
+    std::ostringstream obj, pc2;
+    IO::write_obj(obj, mesh);
+    IO::write_pc2(pc2, n * n, 8, [&](std::size_t f, float* xyz) {
+      for (std::size_t v : order)
+        for (double x : point(v, double(f))) *xyz++ = float(scale * x);
+    });
+    return {folder.write("sheet.obj", obj.str()), folder.write("sheet.pc2", pc2.str())};
+  }
+};
+
+void test_cache_fits()
+{
+  const auto notices = [](const std::vector<std::string>& inputs) {
+    return IO::read_animation<double>(inputs).notices;
+  };
+  const Sheet sheet = {false}, tube = {true};
+  std::vector<std::size_t> same(400), backwards, by_column, turned;
+  std::iota(same.begin(), same.end(), std::size_t(0));
+  backwards.assign(same.rbegin(), same.rend());
+  for (std::size_t v = 0; v < 400; ++v) by_column.push_back(v % 20 * 20 + v / 20);
+  std::vector<std::size_t> random = same, tenth = same;
+  std::mt19937 generator(1);
+  std::shuffle(random.begin(), random.end(), generator);
+  for (std::size_t v = 0; v + 50 < 400; v += 20) std::swap(tenth[v], tenth[v + 50]);
+  CHECK(notices(sheet.write(same)).empty() && notices(tube.write(same)).empty());
+  for (const auto& order : {backwards, by_column, random})
+    for (double scale : {1., 100.}) {
+      const std::vector<std::string> inputs = sheet.write(order, scale);
+      CHECK_THROWS(Input_error, notices(inputs),
+                   inputs[1] + ": its vertices are in another order than those of the mesh " + inputs[0]);
+    }
+  CHECK_THROWS(Input_error, notices(sheet.write(tenth)), "its vertices are in another order");
+  const std::vector<std::string> larger = sheet.write(same, 25.4);
+  CHECK(notices(larger) ==
+        std::vector<std::string>{"the mesh " + larger[0] + " is 25.4 times smaller than the frames of " + larger[1] +
+                                 ", as in another unit; positions and lengths are those "
+                                 "of the cache"});
+  CHECK(notices(sheet.write(same, 0.5)).size() == 1 && notices(sheet.write(same, 1.1)).empty());
+
+  // Regular meshes: exchanging a few vertices changes a few edges; a turned tube is the same tube.
+  std::vector<std::size_t> exchanged = same;
+  std::swap(exchanged[5], exchanged[207]);
+  CHECK_THROWS(Input_error, notices(tube.write(exchanged)), "though the points are the same");
+  for (std::size_t v = 0; v < 400; ++v) turned.push_back((v + 60) % 400);
+  CHECK(notices(tube.write(turned)).empty());
+}
+
+// STL names no vertices: corners that are together in all frames are one, whether others meet them in some frame or not.
+void test_stl_series()
+{
+  // two triangles with an edge in common; the two vertices beside it meet in frame `meeting`
+  const auto stl = [](int frame, int meeting) {
+    const std::string a = "vertex 0 0 0\n", b = "vertex 1 0 " + std::to_string(frame) + "\n";
+    const std::string c = frame == meeting ? "vertex 5 5 5\n" : "vertex 0 1 0\n";
+    const std::string d = frame == meeting ? "vertex 5 5 5\n" : "vertex 0 -1 0\n";
+    const std::string begin = "facet normal 0 0 0\nouter loop\n", end = "endloop\nendfacet\n";
+    return "solid\n" + begin + a + b + c + end + begin + b + a + d + end + "endsolid\n";
+  };
+  for (int meeting : {-1, 0, 1, 2}) {
+    std::vector<std::string> files;
+    for (int f = 0; f < 3; ++f) files.push_back(folder.write("stl/" + std::to_string(f) + ".stl", stl(f, meeting)));
+    const auto data = IO::read_animation<double>(files);
+    CHECK(data.mesh.points.size() == 4 && data.frames == 3 && data.origins.empty());
+    CHECK((data.mesh.triangles == std::vector<std::array<std::size_t, 3>>{{{0, 1, 2}}, {{1, 0, 3}}}));
+    for (int f = 0; f < 3; ++f) {
+      CHECK(data.z(1, std::size_t(f)) == f);
+      CHECK(data.y(2, std::size_t(f)) == (f == meeting ? 5 : 1) &&
+            data.y(3, std::size_t(f)) == (f == meeting ? 5 : -1));
+    }
+  }
+  folder.write("stl/1.stl", "solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
+                            "endfacet\nendsolid\n");
+  CHECK_THROWS(Input_error, IO::read_animation<double>({folder.path("stl")}),
+               folder.path("stl/1.stl") + ": has 1 triangles, but the first frame, ");
 }
 
 // An animation large enough to be read in several pieces, by several threads: a strip of triangles whose vertices jump
@@ -563,7 +915,7 @@ void test_pipes()
     return path;
   };
   std::filesystem::create_directory(folder.path("pipes"));
-  const std::string mesh = make_pipe("pipes/m.obj"), second = make_pipe("pipes/n.obj");
+  const std::string mesh = make_pipe("pipes/m1.obj"), second = make_pipe("pipes/m2.obj");
   const auto write = [](const std::string& path, const std::string& content) {
     return std::thread([path, content] { std::ofstream(path, std::ios::binary) << content; });
   };
@@ -593,10 +945,17 @@ int main()
   test_caches();
   test_pipe();
   test_natural_order();
+  test_numbered_series();
+  test_no_series();
   test_folder();
   test_animation_of<float>();
   test_animation_of<double>();
   test_animation_errors();
+  test_welding<float>();
+  test_welding<double>();
+  test_repair();
+  test_stl_series();
+  test_cache_fits();
   test_strip<float, CGAL::Parallel_if_available_tag>();
   test_strip<double, CGAL::Parallel_if_available_tag>();
   test_strip<float, CGAL::Sequential_tag>();

@@ -131,6 +131,13 @@ void test_off()
       read("a.off", "STCNOFF\n3 1 0\n0 .5 -1 0 0 1 9 9 9 255 1 1\n1.25 0 3 4 4 4\n-2000 1 1e-3\n3 1 2 0\n"),
       "normals, colours, texture coordinates");
 
+  check_the_triangle(read("a.off", "OFF3 1 0\n" + v + "3 1 2 0\n"), "counts joined to the keyword");
+  check_the_triangle(read("a.off", "off\n3 1 0\n" + v + "3 1 2 0\n"), "small letters");
+  check_the_triangle(read("a.off", "NCOFF\n3 1 0\n0 .5 -1 0 0 1 9 9 9\n1.25 0 3 1 1 1 4 4 4\n-2000 1 1e-3\n3 1 2 0\n"),
+                     "prefixes in another order");
+  check_the_triangle(read("a.off", "stcoff 3 1 0\n" + v + "3 1 2 0\n"), "prefixes in small letters");
+  check_error("a.off", "nOFF\n2 3 1 0\n", ":1: the file starts with \"nOFF\" instead of OFF");
+  check_error("a.off", "OFFS\n3 1 0\n", ":1: the file starts with \"OFFS\" instead of OFF");
   check_error("a.off", "OF\n", ":1: the file starts with \"OF\" instead of OFF");
   check_error("a.off", "4OFF\n1 1 0\n", ":1: the file starts with \"4OFF\" instead of OFF");
   check_error("a.off", "OFF BINARY\n", ":1: binary OFF is not supported");
@@ -203,6 +210,18 @@ void test_ply()
   check_error("a.ply", ascii + "0 nan 0\n", ":11: vertex 0 has a coordinate that is not finite");
   check_error("a.ply", little_header + little.substr(0, 35), ": vertex 2: the file ends here");
   check_error("a.ply", little_header + little.substr(0, 48), ": face 0: the file ends here");
+  for (const char* end : {"\n", "\r\n", "\n\n"}) {
+    const Indexed_mesh mesh = read("a.ply", little_header + little + end);
+    check_the_triangle(mesh, "ends of lines after a binary file");
+    CHECK(mesh.remarks == std::vector<std::string>{"an end of a line follows the last element, which says nothing"});
+  }
+  CHECK(read("a.ply", little_header + little).remarks.empty());
+  // In ASCII a line is an element: nothing slides from one to the next.
+  check_error("a.ply", ascii + "0 0.5 -1 255 0 0\n1.25 0 3 255 0 0\n",
+              ": line 11 has 6 values, the header announces 3 (vertex 0)");
+  check_error("a.ply", ascii + "0 0.5 -1\n1.25 0\n3\n", ": line 12 has 2 values, the header announces 3 (vertex 1)");
+  check_error("a.ply", ascii + v + "3 1 2 0 255\n", ": line 14 has 5 values, the header announces 4 (face 0)");
+  check_error("a.ply", ascii + v + "3 1 2\n0\n", ": line 14 has 3 values, the header announces 4 (face 0)");
   check_error("a.ply", little_header + little + "x", ": the file goes on after all elements");
   check_error("a.ply", little_header + little_endian(0x7fc00000u) + little.substr(4),
               ": vertex 0 has a coordinate that is not finite");
@@ -210,6 +229,29 @@ void test_ply()
               "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
               "property float z\nend_header\nabc",
               ": vertex 0: the file ends here");
+}
+
+// Strips of triangles, in which every second one is turned round; -1 ends a strip, a vertex twice joins two.
+void test_ply_strips()
+{
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n";
+  const auto header = [](const std::string& format) {
+    return "ply\nformat " + format + " 1.0\nelement vertex 5\nproperty float x\nproperty float y\n" +
+           "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n";
+  };
+  const std::vector<Triangle> strip = {{{0, 1, 2}}, {{2, 1, 3}}, {{2, 3, 4}}};
+  const std::string ascii = header("ascii") + points;
+  CHECK(read("s.ply", ascii + "5 0 1 2 3 4\n").triangles == strip);
+  CHECK(
+      (read("s.ply", ascii + "9 0 1 2 -1 4 2 3 -1 0\n").triangles == std::vector<Triangle>{{{0, 1, 2}}, {{4, 2, 3}}}));
+  CHECK((read("s.ply", ascii + "7 0 1 2 2 4 2 3\n").triangles == std::vector<Triangle>{{{0, 1, 2}}, {{4, 2, 3}}}));
+  std::string binary = header("binary_little_endian");
+  for (float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 1.f, 1.f, 0.f, 0.f, 2.f, 0.f})
+    binary += little_endian(x);
+  for (std::uint32_t i : {6u, 0u, 1u, 2u, 3u, 4u, 0xffffffffu}) binary += little_endian(i);
+  CHECK(read("s.ply", binary).triangles == strip);
+  check_error("s.ply", ascii + "4 0 1 2 -2\n", ":15: tristrips 0: a vertex index is negative");
+  check_error("s.ply", ascii + "3 0 1 7\n", ":15: face 0 has a corner at vertex 7");
 }
 
 void test_stl()
@@ -227,6 +269,11 @@ void test_stl()
   check_two(read("a.stl", ascii), "ASCII");
   const std::size_t second = start.size();
   check_two(read("a.stl", start + "endsolid\nsolid other\n" + ascii.substr(second)), "two solids");
+
+  std::string capitals = ascii;
+  for (char& c : capitals)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  check_two(read("a.stl", capitals), "in capitals");
 
   const float corners[2][9] = {{0, 0, 0, 1, 0, 0, 0, 1, 0}, {1, 0, -0.f, 1, 1.5, 0, -0.f, 1, 0}};
   std::string binary = "solid, or so it says" + std::string(60, ' ') + little_endian(std::uint32_t(2));
@@ -435,6 +482,7 @@ int main()
   test_triangulation();
   test_off();
   test_ply();
+  test_ply_strips();
   test_stl();
   test_write_obj();
   test_surface_mesh();

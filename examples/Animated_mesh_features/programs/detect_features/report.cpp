@@ -105,11 +105,13 @@ std::string detection_report(const Detection& detection)
   return os.str();
 }
 
-std::string summary(const Programs::Output_options& output, const Detection& detection, double seconds)
+std::string summary(const Programs::Output_options& output, std::size_t frames, const Detection& detection,
+                    double seconds)
 {
   std::ostringstream os;
-  os << counted(detection.features.size(), "feature", "features") << " in " << std::fixed << std::setprecision(1)
-     << seconds << " s" << best(detection) << list_of_files(output) << '\n';
+  os << counted(detection.features.size(), "feature", "features") << " in " << counted(frames, "frame", "frames")
+     << ", computed in " << std::fixed << std::setprecision(1) << seconds << " s" << best(detection)
+     << list_of_files(output) << '\n';
   return os.str();
 }
 

@@ -25,7 +25,8 @@ namespace Detect_features {
 std::string detection_report(const Detection& detection);
 
 // One line: what was found in how many seconds, and where it was written.
-std::string summary(const Programs::Output_options& output, const Detection& detection, double seconds);
+std::string summary(const Programs::Output_options& output, std::size_t frames, const Detection& detection,
+                    double seconds);
 
 // What the JSON file tells besides the features: all that is needed to find the same ones again.
 CGAL::Animated_mesh_features::IO::Result_description result_description(const Programs::Reading_options& reading,

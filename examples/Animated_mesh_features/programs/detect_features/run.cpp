@@ -67,7 +67,8 @@ void run(const Command_line& c)
   // now rather than after hours of computation
   check_picture_frames(c.output.picture, sequence.number_of_frames());
   if (c.run.verbose) tell(animation_report(c.reading, animation) + plan.report() + "\n");
-  const std::string notices = page_notice + clip_notice(c.reading, animation) + counts_notice(sequence, c.method);
+  const std::string notices =
+      page_notice + reading_notices(c.reading, animation) + counts_notice(sequence, c.method);
   if (!c.run.quiet) tell(notices);
 
   const Interruption interruption; // before there is anything to be left on a disk
@@ -88,7 +89,7 @@ void run(const Command_line& c)
     files.commit();
   }
   if (c.run.verbose) tell(detection_report(detection) + log.report());
-  if (!c.run.quiet) tell(summary(c.output, detection, log.total_seconds()));
+  if (!c.run.quiet) tell(summary(c.output, sequence.number_of_frames(), detection, log.total_seconds()));
 }
 
 } // namespace Detect_features

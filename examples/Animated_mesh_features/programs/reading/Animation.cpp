@@ -42,17 +42,14 @@ void check_options(const Reading_options& o, Model_format format)
   if (o.there_and_back && !is_model)
     throw AMF::Option_error("--there-and-back goes with an animated model, of which frames are made");
   if (o.clip_frames && *o.clip_frames < 3) throw AMF::Option_error("--frames: at least 3 are needed");
+  if (o.as_given && o.inputs.size() < 2)
+    throw AMF::Option_error("--as-given goes with a mesh for each frame, which stand in their order");
   if (!o.clip.empty() && format == Model_format::NONE)
     throw AMF::Option_error("--clip goes with a file that holds several animations: an animated model, or HDF5");
+  if (is_model && (o.weld != Weld::AUTO || o.repair))
+    throw AMF::Option_error("--weld and --repair go with meshes; models are welded and mended in any case");
   if (!o.faces_dataset.empty() && format != Model_format::HDF5)
     throw AMF::Option_error("--faces goes with an HDF5 file");
-}
-
-AMF::IO::Mesh_reading_options mesh_reading_options(const Reading_options& o)
-{
-  AMF::IO::Mesh_reading_options options;
-  options.triangulate_faces = o.triangulate;
-  return options;
 }
 
 // The time between frames, from the time of each frame.
@@ -86,6 +83,18 @@ double frames_per_second(const Reading_options& o, const File_data& data)
 {
   if (o.frames_per_second) return *o.frames_per_second;
   return data.times.empty() ? default_frames_per_second : 1 / frame_duration(data.times, data.sources.back());
+}
+
+// Times that are frame numbers make an animation last too long.
+void add_notice_of_slow_frames(const Reading_options& o, double frames_per_second, const File_data& data,
+                               std::vector<std::string>& notices)
+{
+  const double usually_faster = 5;
+  if (o.frames_per_second || data.times.empty() || frames_per_second >= usually_faster) return;
+  std::ostringstream os;
+  os << data.sources.back() << ": its times tell a frame rate of " << frames_per_second
+     << " a second; if they are numbers of frames instead of seconds, tell the rate by --fps";
+  notices.push_back(os.str());
 }
 
 // of the clip that was read, or of several together: as --clip takes it
@@ -126,10 +135,13 @@ double set_rest_file(const Reading_options& o, const File_data& data, Sequence& 
 {
   const std::string& file = o.rest.file;
   const AMF::IO::Indexed_mesh rest = AMF::IO::read_mesh(file, mesh_reading_options(o));
-  AMF::IO::check_same_connectivity(data.mesh, data.sources.front(), rest, file);
+  const bool is_file_mesh = data.file_mesh.points.empty();
+  AMF::IO::check_same_connectivity(is_file_mesh ? data.mesh : data.file_mesh, data.sources.front(), rest, file);
   std::vector<Sequence::Point_3> points;
-  points.reserve(rest.points.size());
-  for (const auto& p : rest.points) points.emplace_back(p[0], p[1], p[2]);
+  for (std::size_t v = 0; v < data.mesh.points.size(); ++v) {
+    const auto& p = rest.points[is_file_mesh ? v : data.origins.file_vertices[data.origins.first[v]]];
+    points.emplace_back(p[0], p[1], p[2]);
+  }
   try {
     return sequence.set_rest_shape(points, o.rest.rescale ? AMF::Rest_unit::RESCALE : AMF::Rest_unit::CHECK);
   } catch (const AMF::Input_error& e) {
@@ -174,12 +186,14 @@ Animation::Animation(const Reading_options& options, const AMF::IO::Memory_choos
   m_files = data.sources;
   m_files.insert(m_files.end(), data.linked_files.begin(), data.linked_files.end());
   if (!options.rest.file.empty()) m_files.push_back(options.rest.file);
-  m_origins = std::move(data.origins);
   m_remarks = std::move(data.remarks);
+  m_notices = std::move(data.notices);
+  add_notice_of_slow_frames(options, m_frames_per_second, data, m_notices);
   m_mesh = AMF::IO::to_surface_mesh(data.mesh, data.sources.front());
   m_sequence.emplace(m_mesh, std::move(data.x), std::move(data.y), std::move(data.z), 1 / m_frames_per_second);
   check_size(*m_sequence, data.frame_name(0));
   m_rest_factor = set_rest(options, data, *m_sequence);
+  m_origins = std::move(data.origins);
 }
 
 } // namespace Programs

@@ -51,6 +51,9 @@ public:
   // the files that were read: members of folders, buffers of models, the rest shape
   const std::vector<std::string>& files() const { return m_files; }
 
+  // what the user is to be told of the reading in any case
+  const std::vector<std::string>& notices() const { return m_notices; }
+
   // by which the rest shape was multiplied
   double rest_factor() const { return m_rest_factor; }
 
@@ -59,7 +62,7 @@ private:
   std::optional<Sequence> m_sequence; // refers to the mesh
   double m_frames_per_second = 0;
   bool m_is_sampled = false;
-  std::vector<std::string> m_clips, m_remarks, m_files;
+  std::vector<std::string> m_clips, m_remarks, m_notices, m_files;
   std::string m_clip_name;
   CGAL::Animated_mesh_features::IO::Vertex_origins m_origins;
   double m_rest_factor = 1;

@@ -100,8 +100,8 @@ AMF::IO::Animation_file_data<double> read_model_file(const Reading_options& o, M
 #endif
   }
 #ifdef ANIMATED_MESH_FEATURES_WITH_HDF5
-  AMF::IO::Animation_file_data<double> data =
-      AMF::IO::read_hdf5<double>(file, o.clip, o.faces_dataset.empty() ? "faces" : o.faces_dataset, choose_memory);
+  AMF::IO::Animation_file_data<double> data = AMF::IO::read_hdf5<double>(
+      file, o.clip, o.faces_dataset.empty() ? "faces" : o.faces_dataset, choose_memory, mesh_reading_options(o));
   const double rate_of_dfaust = 60; // these files do not tell
   for (std::size_t f = 0; f < data.frames; ++f) data.times.push_back(double(f) / rate_of_dfaust);
   return data;

@@ -10,7 +10,8 @@
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
-using CGAL::Animated_mesh_features::Option_error;
+namespace AMF = CGAL::Animated_mesh_features;
+using AMF::Option_error;
 
 namespace Programs {
 
@@ -52,6 +53,11 @@ void add_clip_options(Option_group& group, Reading_options& o)
 
 } // namespace
 
+Names<Weld> names(Weld)
+{
+  return {{"auto", Weld::AUTO}, {"always", Weld::ALWAYS}, {"never", Weld::NEVER}};
+}
+
 void add_reading_options(Option_group& group, Reading_options& o)
 {
   group.add(
@@ -71,7 +77,32 @@ void add_reading_options(Option_group& group, Reading_options& o)
             [&](const Argument& a) { set_rest(a, o.rest); });
   group.add_switch("rescale-rest", o.rest.rescale,
                    "scale the rest FILE so that its median edge is as long as that of the frames");
+  group.add_switch(
+      "as-given", o.as_given,
+      "take MESH MESH... as the frames in the order in which they are given, whatever numbers are in their "
+      "names");
   group.add_switch("triangulate", o.triangulate, "cut faces with more than three corners into triangles");
+  group.add(
+      "weld", "WHEN",
+      "what becomes of vertices of a mesh that lie at the same place in all frames: auto, they are welded where that "
+      "closes a seam and makes a manifold; always, it is an error where it does not; never (default: auto)",
+      [&](const Argument& a) { o.weld = chosen<Weld>(a.option(), a.text()); });
+  group.add_switch(
+      "repair", o.repair,
+      "mend a mesh that is no oriented manifold: leave out collapsed and repeated faces, turn round what is "
+      "oriented unlike its neighbours, take apart what meets in a vertex only, and tell each");
+}
+
+AMF::IO::Mesh_reading_options mesh_reading_options(const Reading_options& o)
+{
+  AMF::IO::Mesh_reading_options options;
+  options.triangulate_faces = o.triangulate;
+  options.frames_as_given = o.as_given;
+  options.welding = o.weld == Weld::NEVER    ? AMF::IO::Welding::NEVER
+                    : o.weld == Weld::ALWAYS ? AMF::IO::Welding::ALWAYS
+                                             : AMF::IO::Welding::AUTO;
+  options.repair = o.repair;
+  return options;
 }
 
 std::vector<std::string> Reading_options::paths() const
@@ -99,8 +130,8 @@ std::string input_help()
 {
   return R"(INPUT is one of
   MESH CACHE    a mesh (.obj, .off, .ply, .stl) and a point cache (.pc2, .mdd) with the positions of its vertices
-  FOLDER        of meshes, one for each frame, in natural order: frame2.obj before frame10.obj
-  MESH MESH...  the frames themselves, in natural order whatever order they are given in
+  FOLDER        of meshes, one for each frame, in the order of their numbers: frame2.obj before frame10.obj; none missing
+  MESH MESH...  the frames themselves, in the order of their numbers whatever order they are given in (but see --as-given)
   MODEL         an animated model: glTF 2.0 (.glb, .gltf) with skins, morph targets and moving nodes; FBX, Collada, X (.fbx,
                 .dae, .x) as well as assimp can read them (best effort: compare with what you expect)
   SEQUENCE      an HDF5 file (.h5, .hdf5) as D-FAUST's: vertices x 3 x frames, and triangles x 3

@@ -7,6 +7,10 @@
 #ifndef PROGRAMS_READING_READING_OPTIONS_H
 #define PROGRAMS_READING_READING_OPTIONS_H
 
+#include "options/Names.h"
+
+#include <CGAL/Animated_mesh_features/IO/Mesh_reading_options.h>
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -25,12 +29,25 @@ struct Rest_choice
   bool rescale = false;                 // scale the file so that its edges are as long as those of the frames
 };
 
+// What is done with coincident vertices of a mesh.
+enum class Weld
+{
+  AUTO,
+  ALWAYS,
+  NEVER
+};
+
+Names<Weld> names(Weld);
+
 // Which animation is read, and as what.
 struct Reading_options
 {
   std::vector<std::string> inputs; // files and folders, as input_help() tells
   std::optional<double> frames_per_second;
+  bool as_given = false;    // frames are in the order of the inputs
   bool triangulate = false; // cut faces with more than three corners
+  bool repair = false;      // mend what is no oriented manifold
+  Weld weld = Weld::AUTO;
 
   // of files with clips
   std::string clip; // by name or number; empty: the first
@@ -50,6 +67,9 @@ void add_reading_options(Option_group& group, Reading_options& options);
 
 // From a frame in eleven days to a million in a second: beyond, squares of times leave the range of numbers.
 bool is_usable_rate(double frames_per_second);
+
+// What reads meshes is told of them.
+CGAL::Animated_mesh_features::IO::Mesh_reading_options mesh_reading_options(const Reading_options& options);
 
 // To be called when all options are there.
 // throws Option_error if there is no input, or options do not go together.

@@ -40,11 +40,14 @@ std::string animation_report(const Reading_options& options, const Animation& an
   return os.str();
 }
 
-std::string clip_notice(const Reading_options& options, const Animation& animation)
+std::string reading_notices(const Reading_options& options, const Animation& animation)
 {
-  if (animation.clips().size() < 2 || !options.clip.empty()) return std::string();
-  return "clip " + animation.clip_name() + ", the first of " + AMF::IO::clip_list(animation.clips()) +
-         "; --clip chooses another, or several together: A+B\n";
+  std::string lines;
+  if (animation.clips().size() > 1 && options.clip.empty())
+    lines = "clip " + animation.clip_name() + ", the first of " + AMF::IO::clip_list(animation.clips()) +
+            "; --clip chooses another, or several together: A+B\n";
+  for (const std::string& notice : animation.notices()) lines += "note: " + notice + '\n';
+  return lines;
 }
 
 AMF::IO::Result_description animation_description(const Animation& animation)
@@ -65,7 +68,10 @@ void add_reading_parameters(AMF::IO::Result_description& d, const Reading_option
 {
   const std::size_t frames = animation.sequence().number_of_frames();
   d.add("inputs", o.inputs);
+  d.add("as_given", o.as_given);
   d.add("triangulate", o.triangulate);
+  d.add("weld", name(o.weld));
+  d.add("repair", o.repair);
   d.add("fps", animation.frames_per_second());
   add_if(!animation.clips().empty(), d, "clip", animation.clip_name());
   add_if(animation.is_sampled() && (o.clip_frames || !o.frames_per_second), d, "frames",

@@ -21,8 +21,9 @@ namespace Programs {
 // Some lines, for --verbose.
 std::string animation_report(const Reading_options& options, const Animation& animation);
 
-// One line, or nothing: of several clips one was taken that nobody chose.
-std::string clip_notice(const Reading_options& options, const Animation& animation);
+// A line for each thing that must be known to judge the result: of several clips one was taken that nobody chose, files
+// were left out or changed.
+std::string reading_notices(const Reading_options& options, const Animation& animation);
 
 // For files of results; without parameters.
 CGAL::Animated_mesh_features::IO::Result_description animation_description(const Animation& animation);

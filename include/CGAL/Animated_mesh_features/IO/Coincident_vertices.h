@@ -44,13 +44,22 @@ public:
   /// takes apart the vertices that are not together in this frame.
   void add_frame(const Points& points)
   {
+    add_positions([&](std::size_t v) { return points[v]; });
+  }
+
+  /// the same for positions that are kept in another way: `position(v)` is an `std::array<double, 3>`; called for vertices
+  /// only that are not alone yet.
+  template <class Position>
+  void add_positions(const Position& position)
+  {
     std::unordered_map<Place, std::size_t, Hash> first; // of the vertices that are still together
     first.reserve(m_candidates.size());
     std::vector<char> is_alone(m_first_of_class.size(), 1);
     for (std::size_t v : m_candidates) {
       Place place;
       place[0] = m_first_of_class[v];
-      for (int k = 0; k < 3; ++k) place[k + 1] = bits(points[v][k]);
+      const std::array<double, 3> p = position(v);
+      for (std::size_t k = 0; k < 3; ++k) place[k + 1] = bits(p[k]);
       const auto result = first.emplace(place, v);
       m_first_of_class[v] = result.first->second;
       if (!result.second) is_alone[v] = is_alone[result.first->second] = 0;

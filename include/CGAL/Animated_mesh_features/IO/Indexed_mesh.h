@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -25,6 +26,9 @@ struct Indexed_mesh
 {
   std::vector<std::array<double, 3>> points;         ///< `N`
   std::vector<std::array<std::size_t, 3>> triangles; ///< `M`, of indices of points
+
+  /// what is unusual in the file but does no harm: a sentence each.
+  std::vector<std::string> remarks;
 };
 
 } // namespace IO

@@ -186,7 +186,9 @@ private:
     const char magic[] = "POINTCACHE2"; // with its final zero
     char h[32];
     read_header(h, sizeof(h));
-    if (std::memcmp(h, magic, sizeof(magic)) != 0) fail("is no PC2 file: it does not start with POINTCACHE2");
+    if (std::memcmp(h, magic, sizeof(magic)) != 0)
+      fail(std::string("is no PC2 file: it does not start with POINTCACHE2") +
+           (has_size_of_mdd(h) ? "; this is an MDD file, whose name should end in .mdd" : ""));
     const std::int32_t version = internal::load<std::int32_t>(h + 12, m_order);
     if (version != 1) fail("is a PC2 file of version " + std::to_string(version) + "; known is 1");
     m_start_frame = internal::load<float>(h + 20, m_order);
@@ -195,11 +197,23 @@ private:
     check_size(sizeof(h));
   }
 
+  // Whether the file is as large as its first bytes, as the counts of an MDD file, ask for.
+  bool has_size_of_mdd(const char* h) const
+  {
+    const internal::Byte_order order = internal::Byte_order::BIG_ENDIAN_ORDER;
+    const double frames = internal::load<std::int32_t>(h, order), points = internal::load<std::int32_t>(h + 4, order);
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(m_path, error);
+    return !error && frames > 0 && points > 0 && double(size) == 8 + frames * (4 + 12 * points);
+  }
+
   void read_mdd_header()
   {
     m_order = internal::Byte_order::BIG_ENDIAN_ORDER;
     char h[8];
     read_header(h, sizeof(h));
+    if (std::memcmp(h, "POINTCACHE2", sizeof(h)) == 0)
+      fail("is no MDD file: this is a PC2 file, whose name should end in .pc2");
     set_counts(internal::load<std::int32_t>(h + 4, m_order), internal::load<std::int32_t>(h, m_order));
     check_size(sizeof(h) + sizeof(float) * std::uint64_t(m_frames));
     std::vector<char> bytes(sizeof(float) * m_frames);

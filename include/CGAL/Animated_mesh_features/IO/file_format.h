@@ -116,6 +116,33 @@ inline File_format file_format(const std::string& path)
 /*!
 \ingroup PkgAnimatedMeshFeaturesReading
 
+tells that the package does not read files of some kind, and which ones it reads.
+
+\throws Input_error if the ending of the name tells no format, and so does the content (see `file_format()`). The message
+calls formats that people animate with by their names.
+*/
+inline void check_known_format(const std::string& path)
+{
+  if (file_format(path) != File_format::UNKNOWN) return;
+  constexpr std::pair<const char*, const char*> foreign[] = {
+      {".abc", "Alembic"},  {".usd", "USD"},       {".usda", "USD"},      {".usdc", "USD"},    {".usdz", "USD"},
+      {".npz", "NumPy"},    {".npy", "NumPy"},     {".mat", "MATLAB"},    {".vtk", "VTK"},     {".vtp", "VTK"},
+      {".vtu", "VTK"},      {".pvd", "VTK"},       {".blend", "Blender"}, {".ma", "Maya"},     {".mb", "Maya"},
+      {".bgeo", "Houdini"}, {".c4d", "Cinema 4D"}, {".3ds", "3D Studio"}, {".max", "3ds Max"}, {".bvh", "BVH"},
+      {".zip", "packed"},   {".gz", "packed"},     {".7z", "packed"},     {".xz", "packed"},   {".tar", "packed"}};
+  const std::string ending = file_ending(path);
+  std::string what = ending.empty() ? "unknown kind of file, without an ending of its name"
+                                    : "unknown kind of file \"" + ending + "\"";
+  for (const auto& format : foreign)
+    if (ending == format.first) what = std::string(format.second) + " files (" + ending + ") are not read";
+  throw Input_error(path + ": " + what +
+                    "; known are meshes (.obj, .off, .ply, .stl), point caches (.pc2, .mdd), animated models (.gltf, "
+                    ".glb, .fbx, .dae, .x) and sequences (.h5, .hdf5)");
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesReading
+
 tells why a file cannot be read, before a library is asked to that tells less.
 
 \throws Input_error if it cannot be opened, with the reason that the system gives.

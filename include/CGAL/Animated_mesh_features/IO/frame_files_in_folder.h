@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/file_format.h>
 #include <CGAL/Animated_mesh_features/IO/natural_order.h>
+#include <CGAL/Animated_mesh_features/IO/numbered_series.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,14 +27,16 @@ namespace IO {
 /*!
 \ingroup PkgAnimatedMeshFeaturesReading
 
-the mesh files (.obj, .off, .ply, .stl) in a folder, one for each frame of an animation, in `natural_order()`.
+the mesh files (.obj, .off, .ply, .stl) in a folder, one for each frame of an animation, as a `numbered_series()`.
 
 If there are several kinds, those of the most common ending are the frames: next to them may lie a rest shape in
-another format, say. Hidden files (a dot at the start of the name), other files and subfolders are ignored.
+another format, say. These, and a template or a copy among the frames, are the `others` of the series. Hidden files (a
+dot at the start of the name), other files and subfolders are ignored.
 
-\throws Input_error if the folder cannot be read, has no mesh files, or two endings are equally common.
+\throws Input_error if the folder cannot be read, has no mesh files, two endings are equally common, or the frames are
+no series.
 */
-inline std::vector<std::string> frame_files_in_folder(const std::string& folder)
+inline Numbered_series frame_files_in_folder(const std::string& folder)
 {
   std::map<std::string, std::vector<std::string>> files; // of each ending
   std::error_code error;
@@ -53,9 +56,13 @@ inline std::vector<std::string> frame_files_in_folder(const std::string& folder)
     if (other != most && other->second.size() == most->second.size())
       throw Input_error(folder + ": the folder has as many " + most->first + " as " + other->first +
                         " files; which ones are the frames?");
-  std::vector<std::string> frames = most->second;
-  std::sort(frames.begin(), frames.end(), [](const auto& a, const auto& b) { return natural_order(a, b); });
-  return frames;
+  if (most->second.size() == 1) return {most->second, {}, {}};
+  Numbered_series series = numbered_series(most->second, true);
+  for (const auto& other : files)
+    if (other.first != most->first) series.others.insert(series.others.end(), other.second.begin(), other.second.end());
+  std::sort(series.others.begin(), series.others.end(),
+            [](const auto& a, const auto& b) { return natural_order(a, b); });
+  return series;
 }
 
 } // namespace IO

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,46 @@ struct Hdf5_sequence
   std::size_t vertices, frames;
 };
 
+// The least and the largest vertex that the faces have.
+struct Hdf5_corners
+{
+  std::size_t least, largest;
+
+  // Whether they can be vertices of so many, counted from 0, or else from 1.
+  bool fit(hsize_t vertices) const { return vertices > largest || are_from_one(vertices); }
+  bool are_from_one(hsize_t vertices) const { return least >= 1 && vertices == largest; }
+};
+
+inline Hdf5_corners hdf5_corners(const std::vector<std::array<std::size_t, 3>>& triangles)
+{
+  Hdf5_corners corners = {(std::numeric_limits<std::size_t>::max)(), 0};
+  for (const std::array<std::size_t, 3>& t : triangles)
+    for (std::size_t v : t) corners = {(std::min)(corners.least, v), (std::max)(corners.largest, v)};
+  return corners;
+}
+
+inline bool is_by_vertex(const Hdf5_file::Extent& e, const Hdf5_corners& corners)
+{
+  return e.size() == 3 && e[1] == 3 && corners.fit(e[0]);
+}
+
+inline bool is_by_frame(const Hdf5_file::Extent& e, const Hdf5_corners& corners)
+{
+  return e.size() == 3 && e[2] == 3 && corners.fit(e[1]);
+}
+
+// The name or number of the sequence that is meant: if nothing is wanted, the first that has the vertices of the faces.
+inline std::size_t hdf5_clip(const Hdf5_file& hdf5, const std::vector<std::string>& names, const std::string& wanted,
+                             const Hdf5_corners& corners, const std::string& file)
+{
+  if (!wanted.empty()) return find_clip(names, wanted, file);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Hdf5_file::Extent e = hdf5.extent(names[i]);
+    if (is_by_vertex(e, corners) || is_by_frame(e, corners)) return i;
+  }
+  return 0; // what is wrong with it is told
+}
+
 inline std::vector<std::array<std::size_t, 3>> read_hdf5_faces(const Hdf5_file& hdf5, const std::string& name,
                                                                const std::string& file)
 {
@@ -62,18 +103,17 @@ inline std::vector<std::array<std::size_t, 3>> read_hdf5_faces(const Hdf5_file& 
 }
 
 // Which of the two layouts an array has: by its size, and where that leaves a doubt by the vertices of the faces.
-inline Hdf5_sequence hdf5_sequence(const Hdf5_file& hdf5, const std::string& name, std::size_t least_vertices,
+inline Hdf5_sequence hdf5_sequence(const Hdf5_file& hdf5, const std::string& name, const Hdf5_corners& corners,
                                    const std::string& file)
 {
   const Hdf5_file::Extent e = hdf5.extent(name);
   const std::string dataset = file + ": dataset " + name + " is " + extent_text(e);
-  const bool by_vertex = e.size() == 3 && e[1] == 3 && e[0] >= least_vertices;
-  const bool by_frame = e.size() == 3 && e[2] == 3 && e[1] >= least_vertices;
+  const bool by_vertex = is_by_vertex(e, corners), by_frame = is_by_frame(e, corners);
   if (by_vertex && by_frame)
     throw Input_error(dataset + ": both vertices x 3 x frames and frames x vertices x 3 would be possible");
   if (!by_vertex && !by_frame)
     throw Input_error(dataset + ", neither vertices x 3 x frames nor frames x vertices x 3 with the " +
-                      std::to_string(least_vertices) + " vertices or more that the faces have");
+                      std::to_string(corners.largest + 1) + " vertices or more that the faces have");
   if (by_vertex) return {name, false, std::size_t(e[0]), std::size_t(e[2])};
   return {name, true, std::size_t(e[1]), std::size_t(e[0])};
 }
@@ -112,15 +152,16 @@ void read_hdf5_fields(const Hdf5_file& hdf5, const Hdf5_sequence& s, const std::
 \ingroup PkgAnimatedMeshFeaturesReading
 
 reads a sequence of registered meshes from an HDF5 file laid out like D-FAUST's: for each sequence a dataset of
-positions, `N x 3 x F`, and one of triangles for all of them, `T x 3`, counted from 0. Positions may also be `F x N x
+positions, `N x 3 x F`, and one of triangles for all of them, `T x 3`, counted from 0, or from 1 if the largest is `N`. Positions may also be `F x N x
 3`, unless the sizes leave a doubt.
 
 \tparam FT `float` or `double`: the precision of the coordinates.
 \param file its name
 \param sequence the name of the dataset of positions, or its number among all three-dimensional ones in alphabetical
-  order; empty: the first one
+  order; empty: the first one with as many vertices as the triangles have
 \param faces the name of the dataset of triangles
 \param choose_memory see `Memory_chooser`
+\param options whether seams are closed and the surface is mended, see `weld_animation()`
 
 Whoever includes this header links with HDF5's C library. Linear in the size of the dataset; memory, besides the result,
 for 8 million numbers or a frame or vertex.
@@ -129,23 +170,25 @@ for 8 million numbers or a frame or vertex.
 \throws Option_error if there is no such sequence.
 */
 template <class FT>
-Animation_file_data<FT> read_hdf5(const std::string& file, const std::string& sequence = std::string(),
-                                  const std::string& faces = "faces",
-                                  const Memory_chooser& choose_memory = Memory_chooser())
+Animation_file_data<FT>
+read_hdf5(const std::string& file, const std::string& sequence = std::string(), const std::string& faces = "faces",
+          const Memory_chooser& choose_memory = Memory_chooser(), Mesh_reading_options options = Mesh_reading_options())
 {
   const internal::Hdf5_file hdf5(file);
   Animation_file_data<FT> data;
   data.sources = {file};
   data.mesh.triangles = internal::read_hdf5_faces(hdf5, faces, file);
-  std::size_t least_vertices = 0;
-  for (const auto& triangle : data.mesh.triangles)
-    for (std::size_t v : triangle) least_vertices = (std::max)(least_vertices, v + 1);
-
+  const internal::Hdf5_corners corners = internal::hdf5_corners(data.mesh.triangles);
   for (const std::string& name : hdf5.datasets())
     if (hdf5.extent(name).size() == 3) data.clips.push_back(name);
   if (data.clips.empty()) throw Input_error(file + ": has no dataset vertices x 3 x frames");
-  data.clip = find_clip(data.clips, sequence, file);
-  const internal::Hdf5_sequence s = internal::hdf5_sequence(hdf5, data.clips[data.clip], least_vertices, file);
+  data.clip = internal::hdf5_clip(hdf5, data.clips, sequence, corners, file);
+  const internal::Hdf5_sequence s = internal::hdf5_sequence(hdf5, data.clips[data.clip], corners, file);
+  if (corners.are_from_one(s.vertices)) {
+    for (std::array<std::size_t, 3>& t : data.mesh.triangles)
+      for (std::size_t& v : t) --v;
+    data.notices.push_back("the faces count vertices from 1, as their largest tells; results count from 0");
+  }
   data.frames = s.frames;
   if (s.frames < 2) throw Input_error(file + ": dataset " + s.name + " has one frame, which is no animation");
 
@@ -154,6 +197,7 @@ Animation_file_data<FT> read_hdf5(const std::string& file, const std::string& se
   internal::read_hdf5_fields(hdf5, s, file, fields);
   for (std::size_t v = 0; v < s.vertices; ++v)
     data.mesh.points.push_back({{double(data.x(v, 0)), double(data.y(v, 0)), double(data.z(v, 0))}});
+  weld_animation(options.welding, options.repair, data);
   return data;
 }
 

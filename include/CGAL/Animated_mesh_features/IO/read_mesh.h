@@ -50,6 +50,9 @@ inline bool read_mesh(const std::string& path, const Mesh_reading_options& optio
 reads a triangle mesh from an OBJ, OFF (ASCII), PLY (ASCII or binary) or STL file (ASCII or binary); the ending of its
 name tells which, in either case of letters. Vertices and faces keep their order.
 
+Of OFF all forms whose vertices begin with three coordinates are read (`COFF`, `STCNOFF`...), of PLY faces and strips of
+triangles. In ASCII PLY a vertex or a face is a line, with as many values as the header announces.
+
 STL has no vertices of its own: corners with equal coordinates become one vertex, in the order of their first use.
 
 Nothing depends on the locale. Linear in the size of the file, which is held in memory meanwhile.

@@ -15,6 +15,7 @@
 #include <CGAL/Animated_mesh_features/IO/Vertex_origins.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Clip_frames.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Field_filler.h>
+#include <CGAL/Animated_mesh_features/IO/internal/welding_remarks.h>
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
 #include <CGAL/Animated_mesh_features/IO/weld_surface.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Thread_local.h>
@@ -35,31 +36,6 @@ namespace Animated_mesh_features {
 namespace IO {
 
 namespace internal {
-
-inline std::string counted(std::size_t n, const char* singular, const char* plural)
-{
-  return std::to_string(n) + " " + (n == 1 ? singular : plural);
-}
-
-inline std::vector<std::string> welding_remarks(const Welded_surface& w, std::size_t file_vertices)
-{
-  std::vector<std::string> remarks;
-  if (w.number_of_vertices() != file_vertices || w.welded_edges > 0)
-    remarks.push_back(counted(file_vertices, "vertex", "vertices") + " of the file became " +
-                      std::to_string(w.number_of_vertices()) + ", " +
-                      counted(w.welded_edges, "edge was", "edges were") + " sewn");
-  if (w.unused_vertices > 0)
-    remarks.push_back(counted(w.unused_vertices, "vertex", "vertices") + " in no triangle left out");
-  if (w.collapsed_triangles > 0)
-    remarks.push_back(counted(w.collapsed_triangles, "triangle", "triangles") + " without area in any frame left out");
-  if (w.split_vertices > 0)
-    remarks.push_back(counted(w.split_vertices, "vertex", "vertices") +
-                      " split where the surface meets in a point only");
-  if (w.open_edges > 0)
-    remarks.push_back(counted(w.open_edges, "edge", "edges") +
-                      " left open: borders coincide there, but do not make a manifold");
-  return remarks;
-}
 
 // The triangles of all parts, by the vertices of the file; turned round in parts that are mirrored.
 inline std::vector<std::array<std::size_t, 3>> drawn_triangles(const Keyframed_model& model,

@@ -40,7 +40,10 @@ public:
   {
     m_mesh.points.clear();
     m_mesh.triangles.clear();
+    m_mesh.remarks.clear();
   }
+
+  void remark(const std::string& sentence) { m_mesh.remarks.push_back(sentence); }
 
   // `bytes`: the size of the file, so that a nonsensical header does not ask for all memory
   void reserve(std::size_t points, std::size_t faces, std::size_t bytes)

@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstring>
@@ -20,6 +21,13 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
+
+// Letters of ASCII; `keyword` is in small ones.
+inline bool equal_but_for_case(std::string_view word, std::string_view keyword)
+{
+  const auto equal = [](char c, char k) { return c == k || (c >= 'A' && c <= 'Z' && c - 'A' + 'a' == k); };
+  return word.size() == keyword.size() && std::equal(word.begin(), word.end(), keyword.begin(), equal);
+}
 
 // Reads a text that is in memory, line by line and token by token, and knows the line for messages. Carriage returns
 // are blanks, so that line ends of any system do.
@@ -96,6 +104,16 @@ public:
     if (at_end_of_line()) return std::string_view();
     const char* begin = m_p;
     skip_token();
+    return std::string_view(begin, std::size_t(m_p - begin));
+  }
+
+  // The same, but up to the first character that does not satisfy a predicate.
+  template <class Predicate>
+  std::string_view token_of(const Predicate& is_part)
+  {
+    if (at_end_of_line()) return std::string_view();
+    const char* begin = m_p;
+    while (!at_delimiter() && is_part(*m_p)) ++m_p;
     return std::string_view(begin, std::size_t(m_p - begin));
   }
 

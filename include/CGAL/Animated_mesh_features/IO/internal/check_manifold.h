@@ -40,6 +40,8 @@ struct Directed_edge
   }
 };
 
+constexpr char remedy_for_surface[] = " (the option repair mends it; command line: --repair)";
+
 [[noreturn]] inline void throw_no_surface(const std::string& name, const std::string& message)
 {
   throw Input_error(name + ": " + message);
@@ -57,7 +59,8 @@ inline std::vector<Directed_edge> sorted_edges(const Indexed_mesh& mesh, const s
         throw_no_surface(name, "face " + std::to_string(t) + " has a corner at vertex " + std::to_string(corners[i]) +
                                    ", there are " + std::to_string(mesh.points.size()) + " vertices");
       if (corners[i] == corners[(i + 1) % 3])
-        throw_no_surface(name, "face " + std::to_string(t) + " has vertex " + std::to_string(corners[i]) + " twice");
+        throw_no_surface(name, "face " + std::to_string(t) + " has vertex " + std::to_string(corners[i]) + " twice" +
+                                   remedy_for_surface);
       edges.push_back({corners[i], corners[(i + 1) % 3], t, i});
     }
   }
@@ -89,11 +92,13 @@ inline void check_manifold(const Indexed_mesh& mesh, const std::string& name)
     if (next - i > 2)
       throw_no_surface(name, edge + " belongs to " + std::to_string(next - i) + " faces, among them " +
                                  std::to_string(e.triangle) + ", " + std::to_string(other.triangle) + " and " +
-                                 std::to_string(edges[i + 2].triangle) + "; the mesh must be a manifold");
+                                 std::to_string(edges[i + 2].triangle) + "; the mesh must be a manifold" +
+                                 remedy_for_surface);
     if (e.source == other.source)
       throw_no_surface(name, "faces " + std::to_string(e.triangle) + " and " + std::to_string(other.triangle) +
                                  " both run along " + edge + " from " + std::to_string(e.source) + " to " +
-                                 std::to_string(e.target) + "; the mesh must be oriented consistently");
+                                 std::to_string(e.target) + "; the mesh must be oriented consistently" +
+                                 remedy_for_surface);
     fans.union_set(at_source(e), at_target(other));
     fans.union_set(at_target(e), at_source(other));
   }
@@ -109,7 +114,7 @@ inline void check_manifold(const Indexed_mesh& mesh, const std::string& name)
                                  " joins parts of the surface that share no edge there, "
                                  "with faces " +
                                  std::to_string(fan_of_vertex[v] / 3) + " and " + std::to_string(c / 3) +
-                                 " among them; the mesh must be a manifold");
+                                 " among them; the mesh must be a manifold" + remedy_for_surface);
   }
 }
 

@@ -28,6 +28,26 @@ inline std::size_t off_count(Text_scanner& in, const char* what)
   return static_cast<std::size_t>(n);
 }
 
+// The letters that stand before OFF, in any order: texture coordinates, colours and normals are three of those forms whose
+// vertices begin with three coordinates. All may be in small letters; a single n before OFF means other dimensions.
+inline bool is_off_keyword(std::string_view keyword)
+{
+  std::string word(keyword);
+  if (word.size() >= 3 && word.compare(word.size() - 3, 3, "off") == 0)
+    for (char& c : word)
+      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  for (std::size_t i = 0; i < word.size();) {
+    if (word.compare(i, std::string::npos, "OFF") == 0) return true;
+    if (word.compare(i, 2, "ST") == 0)
+      i += 2;
+    else if (word[i] == 'C' || word[i] == 'N')
+      ++i;
+    else
+      return false;
+  }
+  return false;
+}
+
 // OFF in ASCII with the prefixes ST, C and N; texture coordinates, colours and normals, which stand after the
 // position, are skipped with the rest of the line.
 //
@@ -39,12 +59,10 @@ inline bool parse_off(const std::string& text, const std::string& file, const Me
   Text_scanner in(text, file, '#');
   Mesh_builder builder(file, options, mesh, reference);
   in.skip_space();
-  std::string_view keyword = in.token();
-  const std::string_view whole_keyword = keyword;
-  for (const std::string_view prefix : {"ST", "C", "N"})
-    if (keyword.substr(0, prefix.size()) == prefix) keyword.remove_prefix(prefix.size());
-  if (keyword != "OFF")
-    in.fail("the file starts with " + Text_scanner::quoted(whole_keyword) +
+  // the number of vertices may follow without a blank
+  const std::string_view keyword = in.token_of([](char c) { return c < '0' || c > '9'; });
+  if (!is_off_keyword(keyword))
+    in.fail("the file starts with " + Text_scanner::quoted(keyword.empty() ? in.token() : keyword) +
             " instead of OFF, COFF, NOFF or another form with three coordinates");
   if (in.accept("BINARY")) in.fail("binary OFF is not supported; convert it to ASCII, or to PLY");
 

@@ -26,17 +26,28 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-// STL repeats a vertex in each of its triangles: equal coordinates are the same vertex, numbered as they come.
+// STL repeats a vertex in each of its triangles.
+enum class Stl_corners
+{
+  BY_PLACE, // equal coordinates are the same vertex, numbered as they come
+  APART     // each corner is a vertex
+};
+
 class Stl_vertices
 {
 public:
-  explicit Stl_vertices(Mesh_builder& builder)
+  Stl_vertices(Mesh_builder& builder, Stl_corners corners)
     : m_builder(builder)
+    , m_corners(corners)
   {}
 
   std::size_t operator()(double x, double y, double z, std::size_t line)
   {
     const std::size_t next = m_builder.number_of_points();
+    if (m_corners == Stl_corners::APART) {
+      m_builder.add_point(x, y, z, line);
+      return next;
+    }
     // -0 and 0 are equal, to boost::hash too
     const auto inserted = m_ids.emplace(std::array<double, 3>{{x, y, z}}, next);
     if (inserted.second) m_builder.add_point(x, y, z, line);
@@ -45,27 +56,32 @@ public:
 
 private:
   Mesh_builder& m_builder;
+  Stl_corners m_corners;
   std::unordered_map<std::array<double, 3>, std::size_t, boost::hash<std::array<double, 3>>> m_ids;
 };
 
+// The next word; keywords are written in either case of letters.
 inline std::string_view stl_word(Text_scanner& in)
 {
   in.skip_space();
-  return in.token();
+  const std::string_view word = in.token();
+  for (std::string_view keyword : {"solid", "endsolid", "facet", "endfacet", "outer", "loop", "endloop", "vertex"})
+    if (equal_but_for_case(word, keyword)) return keyword;
+  return word;
 }
 
 inline void stl_expect(Text_scanner& in, std::string_view word)
 {
   in.skip_space();
   if (in.at_end()) in.fail("the file ends where " + Text_scanner::quoted(word) + " should follow");
-  const std::string_view found = in.token();
+  const std::string_view found = stl_word(in);
   if (found != word) in.fail(Text_scanner::quoted(found) + " where " + Text_scanner::quoted(word) + " should follow");
 }
 
-inline void parse_ascii_stl(const std::string& text, const std::string& file, Mesh_builder& builder)
+inline void parse_ascii_stl(const std::string& text, const std::string& file, Mesh_builder& builder,
+                            Stl_vertices& vertices)
 {
   Text_scanner in(text, file, '\0');
-  Stl_vertices vertices(builder);
   std::vector<std::size_t> corners;
   while (in.skip_space(), !in.at_end()) {
     stl_expect(in, "solid");
@@ -92,11 +108,11 @@ inline void parse_ascii_stl(const std::string& text, const std::string& file, Me
   }
 }
 
-inline void parse_binary_stl(const std::string& bytes, Mesh_builder& builder, std::size_t triangles)
+inline void parse_binary_stl(const std::string& bytes, Mesh_builder& builder, Stl_vertices& vertices,
+                             std::size_t triangles)
 {
   const std::size_t header_size = 84, triangle_size = 50, normal_size = 12, point_size = 12;
   const Byte_order order = Byte_order::LITTLE_ENDIAN_ORDER;
-  Stl_vertices vertices(builder);
   std::vector<std::size_t> corners(3);
   for (std::size_t t = 0; t < triangles; ++t) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -108,23 +124,25 @@ inline void parse_binary_stl(const std::string& bytes, Mesh_builder& builder, st
 }
 
 // STL, ASCII and binary. A file is binary if its size is what the number of triangles in its header asks for (many
-// binary ones start with "solid" as well), ASCII if it starts with "solid" otherwise.
+// binary ones start with "solid" as well), ASCII if it starts with "solid" otherwise, in either case of letters.
 inline bool parse_stl(const std::string& content, const std::string& file, const Mesh_reading_options& options,
-                      Indexed_mesh& mesh, const Indexed_mesh* reference = nullptr)
+                      Indexed_mesh& mesh, const Indexed_mesh* reference = nullptr,
+                      Stl_corners corners = Stl_corners::BY_PLACE)
 {
   Mesh_builder builder(file, options, mesh, reference);
+  Stl_vertices vertices(builder, corners);
   const std::size_t header_size = 84, triangle_size = 50;
   const bool has_header = content.size() >= header_size;
   const std::uint64_t triangles =
       has_header ? load<std::uint32_t>(content.data() + header_size - 4, Byte_order::LITTLE_ENDIAN_ORDER) : 0;
   const std::uint64_t expected = header_size + triangles * triangle_size;
   if (has_header && expected == content.size()) {
-    parse_binary_stl(content, builder, static_cast<std::size_t>(triangles));
+    parse_binary_stl(content, builder, vertices, static_cast<std::size_t>(triangles));
   } else {
     const std::size_t start = content.find_first_not_of(" \t\r\n");
     if (start == std::string::npos) builder.fail(0, "is empty");
-    if (content.compare(start, 5, "solid") == 0) {
-      parse_ascii_stl(content, file, builder);
+    if (equal_but_for_case(std::string_view(content).substr(start, 5), "solid")) {
+      parse_ascii_stl(content, file, builder, vertices);
     } else if (!has_header) {
       builder.fail(0, "is neither ASCII STL (no \"solid\") nor binary STL (less than 84 bytes)");
     } else {
