@@ -386,6 +386,53 @@ void write_dataset(const std::string& file, const std::string& name, std::vector
   CHECK(H5Dwrite(d.id(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
 }
 
+// A dataset into which nothing was written, and which takes no place in the file.
+void announce_dataset(const std::string& file, const std::string& name, const std::vector<hsize_t>& extent)
+{
+  using IO::internal::Hdf5_handle;
+  const Hdf5_handle f(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  const Hdf5_handle space(H5Screate_simple(int(extent.size()), extent.data(), nullptr), H5Sclose);
+  const Hdf5_handle d(
+      H5Dcreate2(f.id(), name.c_str(), H5T_STD_I8LE, space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  CHECK(d.is_open());
+}
+
+// What a file announces and does not hold is refused before memory is taken for it; other files are left alone.
+void test_hdf5_content()
+{
+  const Temporary_folder folder;
+  const std::string file = folder.path("hollow.h5"), other = folder.path("other.h5");
+  write_dataset(file, "faces", {1, 3}, {0, 1, 2});
+  write_dataset(file, "walk", {3, 3, 4}, std::vector<float>(36));
+  announce_dataset(file, "vast", {hsize_t(1) << 59, 3});
+  announce_dataset(file, "no faces", {0, 3});
+  announce_dataset(file, "nothing", {3, 3, 4});
+  announce_dataset(file, "long", {3, 3, hsize_t(1) << 40});
+  announce_dataset(file, "no vertices", {0, 3, 4});
+  CHECK(IO::read_hdf5<double>(file, "walk").frames == 4);
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "walk", "vast"), "dataset vast has no content");
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "walk", "no faces"), "dataset no faces has no triangles");
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "nothing"), "dataset nothing has no content");
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "long"), "dataset long has no content");
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "no vertices"), "dataset no vertices is 0 x 3 x 4, neither");
+
+  write_dataset(other, "walk", {3, 3, 4}, std::vector<float>(36));
+  {
+    using IO::internal::Hdf5_handle;
+    const Hdf5_handle f(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    CHECK(H5Lcreate_external(other.c_str(), "walk", f.id(), "elsewhere", H5P_DEFAULT, H5P_DEFAULT) >= 0);
+    const Hdf5_handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    CHECK(H5Pset_external(how.id(), other.c_str(), 0, 36) >= 0);
+    const hsize_t extent[] = {3, 3, 4};
+    const Hdf5_handle space(H5Screate_simple(3, extent, nullptr), H5Sclose);
+    const Hdf5_handle d(H5Dcreate2(f.id(), "outside", H5T_STD_I8LE, space.id(), H5P_DEFAULT, how.id(), H5P_DEFAULT),
+                        H5Dclose);
+    CHECK(d.is_open());
+  }
+  CHECK_THROWS(Option_error, IO::read_hdf5<double>(file, "elsewhere"), "there is no clip");
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "outside"), "dataset outside keeps its numbers in other files");
+}
+
 void test_hdf5()
 {
   const Temporary_folder folder;
@@ -560,6 +607,7 @@ int main(int argc, char* argv[])
 #endif
 #ifdef ANIMATED_MESH_FEATURES_WITH_HDF5
   test_hdf5();
+  test_hdf5_content();
 #else
   std::cout << "SKIPPED: HDF5, since its library is not here" << std::endl;
 #endif

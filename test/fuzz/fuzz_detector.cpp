@@ -16,6 +16,10 @@
 
 #include <fuzzer/FuzzedDataProvider.h>
 
+#ifdef CGAL_LINKED_WITH_TBB
+  #include <tbb/global_control.h>
+#endif
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -39,6 +43,7 @@ struct Animation
   Amf::IO::Indexed_mesh mesh;
   std::vector<std::vector<std::array<double, 3>>> frames;
   double frame_duration;
+  bool is_moderate; // no coordinate is near the ends of what a double holds
 };
 
 // A grid of up to 6 x 6 vertices, open, a tube or a torus; without some of its triangles, so that there are holes, loose
@@ -73,7 +78,7 @@ Amf::IO::Indexed_mesh make_mesh(FuzzedDataProvider& bytes)
 // Each vertex is displaced by bytes in each frame, all of it is scaled, and a coordinate may be anything.
 Animation make_animation(FuzzedDataProvider& bytes)
 {
-  Animation a = {make_mesh(bytes), {}, 1. / 32};
+  Animation a = {make_mesh(bytes), {}, 1. / 32, true};
   const std::size_t frames = bytes.ConsumeIntegralInRange<std::size_t>(2, 12);
   const int exponent = bytes.ConsumeBool() ? 0 : bytes.ConsumeIntegralInRange(-40, 40);
   a.frame_duration = std::ldexp(a.frame_duration, bytes.ConsumeBool() ? 0 : bytes.ConsumeIntegralInRange(-30, 30));
@@ -82,8 +87,10 @@ Animation make_animation(FuzzedDataProvider& bytes)
     a.frames.push_back(a.mesh.points);
     for (auto& point : a.frames.back())
       for (double& x : point) x = std::ldexp(x + double(bytes.ConsumeIntegral<std::int8_t>()) / 64, exponent);
-    if (f == odd_frame && odd_vertex < a.mesh.points.size())
+    if (f == odd_frame && odd_vertex < a.mesh.points.size()) {
       for (double& x : a.frames.back()[odd_vertex]) x = bytes.ConsumeFloatingPoint<double>();
+      a.is_moderate = false;
+    }
   }
   return a;
 }
@@ -111,7 +118,7 @@ void choose_numbers(FuzzedDataProvider& bytes, Options& options)
   options.selection.accept_border_vertices = bytes.ConsumeBool();
 }
 
-template <class Tag, class Options>
+template <class Options>
 std::optional<std::vector<Feature>> detect(const Animation& a, const Options& options)
 {
   try {
@@ -123,7 +130,7 @@ std::optional<std::vector<Feature>> detect(const Animation& a, const Options& op
     }
     const Sequence sequence(mesh, frames, a.frame_duration);
     std::vector<Feature> features;
-    CGAL::detect_spatio_temporal_features<Tag>(sequence, std::back_inserter(features), options);
+    CGAL::detect_spatio_temporal_features(sequence, std::back_inserter(features), options);
     return features;
   } catch (const Amf::Error&) {
     return std::nullopt;
@@ -155,7 +162,7 @@ void check(const Animation& a, const std::vector<Feature>& features)
   }
 }
 
-// Equal bit for bit, with lengths times `length` and times times `time`.
+// Equal bit for bit, with lengths times `length` and times times `time`, which are powers of two.
 bool same(const std::vector<Feature>& a, const std::vector<Feature>& b, double length = 1, double time = 1)
 {
   if (a.size() != b.size()) return false;
@@ -171,18 +178,50 @@ bool same(const std::vector<Feature>& a, const std::vector<Feature>& b, double l
   return true;
 }
 
+// The same options where lengths are four times what they were, and times twice.
+void scale(Amf::Calibrated_options& options)
+{
+  options.ball_radius *= 4;
+  options.sampling.sigma = {4 * options.sampling.sigma.min, 4 * options.sampling.sigma.max};
+  options.sampling.tau = {2 * options.sampling.tau.min, 2 * options.sampling.tau.max};
+}
+void scale(Amf::Published_options& options)
+{
+  options.ball_radius *= 4;
+}
+
+// In one thread, which takes less time to compile than the sequential detection would, once more, beside the parallel one.
+template <class Options>
+std::optional<std::vector<Feature>> detect_in_one_thread(const Animation& a, const Options& options)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+#endif
+  return detect(a, options);
+}
+
 template <class Options>
 void run(const Animation& a, const Options& options)
 {
-  const auto features = detect<CGAL::Sequential_tag>(a, options);
+  const auto features = detect_in_one_thread(a, options);
   if (!features) return;
   check(a, *features);
-  const auto parallel = detect<CGAL::Parallel_if_available_tag>(a, options);
+  const auto parallel = detect(a, options);
   require(parallel && same(*features, *parallel), "the number of threads changes nothing");
   Options little_memory = options;
   little_memory.level_memory = 1;
-  const auto in_batches = detect<CGAL::Sequential_tag>(a, little_memory);
+  const auto in_batches = detect_in_one_thread(a, little_memory);
   require(in_batches && same(*features, *in_batches), "the memory for levels changes nothing");
+  if (!a.is_moderate) return;
+  Animation larger = a;
+  for (auto& frame : larger.frames)
+    for (auto& point : frame)
+      for (double& x : point) x *= 4;
+  larger.frame_duration *= 2;
+  Options for_larger = options;
+  scale(for_larger);
+  const auto scaled = detect_in_one_thread(larger, for_larger);
+  require(scaled && same(*features, *scaled, 4, 2), "units change nothing");
 }
 
 } // namespace

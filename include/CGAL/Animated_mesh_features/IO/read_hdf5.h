@@ -50,6 +50,8 @@ inline std::vector<std::array<std::size_t, 3>> read_hdf5_faces(const Hdf5_file& 
     throw Input_error(file + ": has no dataset \"" + name + "\" with the triangles (command line: --faces)");
   if (extent.size() != 2 || extent[1] != 3)
     throw Input_error(file + ": dataset " + name + " is " + extent_text(extent) + ", not triangles x 3");
+  if (extent[0] == 0) throw Input_error(file + ": dataset " + name + " has no triangles");
+  hdf5.check_content(name);
   std::vector<long long> corners(3 * std::size_t(extent[0]));
   hdf5.read(name, {0, 0}, extent, corners.data());
   std::vector<std::array<std::size_t, 3>> triangles(corners.size() / 3);
@@ -146,6 +148,7 @@ Animation_file_data<FT> read_hdf5(const std::string& file, const std::string& se
   if (data.clips.empty()) throw Input_error(file + ": has no dataset vertices x 3 x frames");
   data.clip = find_clip(data.clips, sequence, file);
   const internal::Hdf5_sequence s = internal::hdf5_sequence(hdf5, data.clips[data.clip], least_vertices, file);
+  hdf5.check_content(s.name);
   data.frames = s.frames;
   if (s.frames < 2) throw Input_error(file + ": dataset " + s.name + " has one frame, which is no animation");
 
