@@ -11,6 +11,7 @@ make_corpus.py FOLDER
 
 import base64
 import json
+import math
 import pathlib
 import struct
 import sys
@@ -53,7 +54,8 @@ def meshes():
     yield "square.obj", "0" + obj
     yield "quad.obj", "4" + text_of(POINTS, "v ") + "f 1 2 3 4\n"
     yield "square.off", "1" + off
-    yield "coloured.off", "5NCOFF # a quad\n4 1 4\n" + text_of([p + (0, 0, 1, 255, 0, 0, 255) for p in POINTS]) + "4 0 1 2 3\n"
+    coloured = text_of([p + (0, 0, 1, 255, 0, 0, 255) for p in POINTS])
+    yield "coloured.off", "5NCOFF # a quad\n4 1 4\n" + coloured + "4 0 1 2 3\n"
     yield "ascii.ply", "2" + ply_header("ascii") + text_of(POINTS) + text_of([(3,) + t for t in TRIANGLES])
     yield "little.ply", b"2" + binary_ply("<")
     yield "big.ply", b"6" + binary_ply(">")
@@ -154,9 +156,37 @@ def models():
     yield "morph.glb", b"glTF" + struct.pack("<II", 2, 12 + len(chunks)) + chunks
 
 
+# Targets that make something of the bytes take numbers from their end.
+
+def bump(options):
+    """A bump that comes and goes on a grid of 5 x 5 vertices, in 9 frames; before it the options."""
+    mesh = [3, 3, 0, 0, 0, 0, 0, 0]  # 2 + 3 vertices either way; no tube; no holes; no odd triangle
+    timing = [7, 1, 1, 255, 255]  # 2 + 7 frames; as they are; nothing odd
+    motion = []
+    for f in range(9):
+        for v in range(25):
+            height = 60 * math.exp(-((v % 5 - 2) ** 2 + (v // 5 - 2) ** 2) / 1.5 - (f - 4) ** 2 / 3)
+            motion += [v % 3, 2 * v % 3, round(height)]  # without symmetries
+    return bytes(reversed(options + mesh + timing + motion))
+
+
+def detector():
+    usual = 0
+    yield "calibrated", bump([1] + [usual] * 2 + [0] + [usual] * 2 + [0, 1] + [usual] * 2 + [128, 60, 128, 90] + [usual] * 2)
+    yield "published", bump([0, 3] + [usual] * 2 + [0] + [usual] * 2 + [0, 1] + [8, 8])
+
+
+def hdf5():
+    faces = [0, 2, 2, 3, 4, 0] + list(struct.pack("<6q", *[v for t in TRIANGLES for v in t]))  # 2 x 3, 64 bits
+    numbers = struct.pack("<36f", *[x + f for p in POINTS for x in p for f in range(3)])
+    walk = [1, 3, 4, 3, 3, 6, 0] + list(numbers) + [0] * 144
+    yield "walk", bytes(reversed([1, 1, 1] + faces + walk))
+
+
 def main():
     folder = pathlib.Path(sys.argv[1])
-    for target, files in {"meshes": meshes, "caches": caches, "features": features, "gltf": models}.items():
+    for target, files in {"meshes": meshes, "caches": caches, "features": features, "gltf": models, "hdf5": hdf5,
+                          "detector": detector}.items():
         (folder / target).mkdir(parents=True, exist_ok=True)
         for name, content in files():
             (folder / target / name).write_bytes(content if isinstance(content, bytes) else content.encode())

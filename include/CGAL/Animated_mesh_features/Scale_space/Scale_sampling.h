@@ -97,21 +97,30 @@ private:
   static std::vector<double>
   variances(const Scale_range& range, double ratio, double finest, const char* name, const char* limit)
   {
+    const double most_levels = 1000; // a hundred times what the defaults give
     if (!(ratio > 1)) throw Option_error("the ratio of scale levels must be above 1");
     if (!(range.min > 0) || !(range.max >= range.min) || !std::isfinite(range.max)) {
       std::ostringstream message;
       message << "the range of " << name << " from " << range.min << " to " << range.max << " is empty";
       throw Option_error(message.str());
     }
-    const long last = std::lround(std::log(range.max / range.min) / std::log(ratio));
-    const long first =
-        finest > range.min ? long(std::ceil(std::log(finest / range.min) / std::log(ratio) - 1e-9)) : 0;
-    if (first > last) {
+    const double intervals = std::log(range.max / range.min) / std::log(ratio);
+    if (!(intervals < most_levels)) {
+      std::ostringstream message;
+      message << "the range of " << name << " from " << range.min << " to " << range.max << " has more than "
+              << most_levels << " levels of ratio " << ratio << "; choose a smaller range or a larger ratio";
+      throw Option_error(message.str());
+    }
+    const long last = std::lround(intervals);
+    const double left_out =
+        finest > range.min ? std::ceil(std::log(finest / range.min) / std::log(ratio) - 1e-9) : 0;
+    if (!(left_out <= double(last))) {
       std::ostringstream message;
       message << "the range of " << name << " up to " << range.max << " lies below " << finest << ", which the "
               << limit << " can resolve";
       throw Option_error(message.str());
     }
+    const long first = long(left_out);
     std::vector<double> result;
     for (long j = first - 2; j <= last + 2; ++j) {
       const double scale = range.min * std::pow(ratio, double(j));
@@ -156,11 +165,20 @@ struct Every_smoothing_count
   std::size_t max_time_count = 0;  ///< L; 0: by the formula above
 
   /// the number of averages whose blob has a radius of that many widths: \f$\lfloor 6 x^2 \rfloor\f$.
+  /// \throw Option_error if that are more than 100,000, as where a mesh consists of small parts far apart.
   static std::size_t largest_count(double radius_over_width)
   {
+    const double most_counts = 1e5; // ten times those of a million vertices
     // the largest blob's radius is sqrt(2) sigma, and n boxes of width w have sigma^2 = n w^2 / 12 (without Eq. (7)'s
     // -1)
-    return std::size_t(std::floor(6 * radius_over_width * radius_over_width * (1 + 1e-12)));
+    const double count = std::floor(6 * radius_over_width * radius_over_width * (1 + 1e-12));
+    if (!(count <= most_counts)) {
+      std::ostringstream message;
+      message << "there would be " << count << " smoothing counts, because edges or frames are so small a part of the "
+              << "whole; limit the counts (max_space_count, max_time_count)";
+      throw Option_error(message.str());
+    }
+    return std::size_t(count);
   }
 
   /// chooses the levels; asks both filters for their `unit_variance()`.
