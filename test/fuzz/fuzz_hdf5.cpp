@@ -64,8 +64,8 @@ void put_dataset(hid_t file, FuzzedDataProvider& bytes)
   const hid_t space = H5Screate_simple(rank, extents.data(), nullptr);
   const hid_t dataset = H5Dcreate2(file, name, of, space, links, how, H5P_DEFAULT);
   if (dataset >= 0 && layout % 8 < 6 && size < 4096 && of != H5T_STD_REF_OBJ) {
-    std::vector<char> values(8 * size);
-    for (char& value : values) value = bytes.ConsumeIntegral<char>();
+    std::vector<std::uint8_t> values(8 * size);
+    for (std::uint8_t& value : values) value = bytes.ConsumeIntegral<std::uint8_t>();
     H5Dwrite(dataset, of, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
   }
   if (dataset >= 0) H5Dclose(dataset);

@@ -166,7 +166,7 @@ def bump(options):
     for f in range(9):
         for v in range(25):
             height = 60 * math.exp(-((v % 5 - 2) ** 2 + (v // 5 - 2) ** 2) / 1.5 - (f - 4) ** 2 / 3)
-            motion += [v % 3, 2 * v % 3, round(height)]  # without symmetries
+            motion += [128 + v % 3, 128 + 2 * v % 3, 128 + round(height)]  # from -128 on; without symmetries
     return bytes(reversed(options + mesh + timing + motion))
 
 
