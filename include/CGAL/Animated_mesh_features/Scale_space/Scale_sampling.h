@@ -62,7 +62,8 @@ struct Fixed_ratio_sampling
   Scale_range tau;
 
   /// chooses the levels; asks the spatial filter for its `smallest_variance()`, below which levels are left out.
-  /// \throw Option_error if a range is empty, or nothing of it can be resolved by the mesh or by the frames.
+  /// \throw Option_error if a range is empty or has more than 1000 levels, or nothing of it can be resolved by the mesh or
+  /// by the frames.
   template <class SpatialFilter, class TemporalFilter>
   Scale_levels operator()(const Rest_shape& shape,
                           std::size_t number_of_frames,
@@ -182,7 +183,7 @@ struct Every_smoothing_count
   }
 
   /// chooses the levels; asks both filters for their `unit_variance()`.
-  /// \throw Option_error if there are not enough levels for an extremum between levels.
+  /// \throw Option_error if there are not enough levels for an extremum between levels, or see `largest_count()`.
   template <class SpatialFilter, class TemporalFilter>
   Scale_levels operator()(const Rest_shape& shape,
                           std::size_t number_of_frames,
