@@ -358,6 +358,11 @@ void test_bad_gltf()
                read(accessor("\"bufferView\": 0, \"componentType\": 5126, \"type\": \"VEC2\", \"count\": 3",
                              "\"byteLength\": 36")),
                "2 numbers in an element, not 3");
+  // tinygltf looks for it by itself
+  CHECK_THROWS(Input_error,
+               read(accessor("\"bufferView\": 9, \"componentType\": 5126, \"type\": \"VEC3\", \"count\": 3",
+                             "\"byteLength\": 36")),
+               "bad.gltf: is no readable glTF 2.0: something that it refers to is not there");
   CHECK_THROWS(Input_error, read(accessor(points + "2", "\"byteLength\": 36")),
                "has 2 corners, which do not make triangles");
   CHECK_THROWS(Input_error, read(accessor(points + "3", "\"byteLength\": 36", ", \"indices\": 7")),

@@ -148,7 +148,7 @@ void test_names_of_scales()
 void test_too_few_counts()
 {
   CHECK_THROWS(Amf::Option_error, published_levels(two_triangles(20), 48, 8), "in space");
-  CHECK_THROWS(Amf::Option_error, published_levels(two_triangles(1e4), 48, 8), "smoothing counts");
+  CHECK(Amf::Every_smoothing_count::largest_count(100) == 60000);
   CHECK_THROWS(Amf::Option_error, Amf::Every_smoothing_count::largest_count(1e200), "smoothing counts");
   CHECK_THROWS(Amf::Option_error, published_levels(two_triangles(100), 48, 40), "in time");
   CHECK_THROWS(Amf::Option_error, published_levels(two_triangles(100), 48, 1), "box of one frame");

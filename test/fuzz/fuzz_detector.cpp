@@ -116,8 +116,17 @@ void choose_numbers(FuzzedDataProvider& bytes, Options& options)
   options.selection.accept_border_vertices = bytes.ConsumeBool();
 }
 
+// Cancels after a number of calls: options can ask for work without end.
+struct Patience
+{
+  std::size_t calls_left;
+  void begin(Amf::Stage) {}
+  bool progress(Amf::Stage, double) { return calls_left-- > 0; }
+  void end(Amf::Stage) {}
+};
+
 template <class Options>
-std::optional<std::vector<Feature>> detect(const Animation& a, const Options& options)
+std::optional<std::vector<Feature>> detect(const Animation& a, const Options& options, Patience patience = {1000000})
 {
   try {
     const Mesh mesh = Amf::IO::to_surface_mesh<Point>(a.mesh, "mesh");
@@ -128,7 +137,7 @@ std::optional<std::vector<Feature>> detect(const Animation& a, const Options& op
     }
     const Sequence sequence(mesh, frames, a.frame_duration);
     std::vector<Feature> features;
-    CGAL::detect_spatio_temporal_features(sequence, std::back_inserter(features), options);
+    CGAL::detect_spatio_temporal_features(sequence, std::back_inserter(features), options, patience);
     return features;
   } catch (const Amf::Error&) {
     return std::nullopt;
@@ -173,18 +182,19 @@ bool same(const std::vector<Feature>& a, const std::vector<Feature>& b)
 
 // In one thread, which takes less time to compile than the sequential detection would, once more, beside the parallel one.
 template <class Options>
-std::optional<std::vector<Feature>> detect_in_one_thread(const Animation& a, const Options& options)
+std::optional<std::vector<Feature>>
+detect_in_one_thread(const Animation& a, const Options& options, Patience patience = {1000000})
 {
 #ifdef CGAL_LINKED_WITH_TBB
   const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
 #endif
-  return detect(a, options);
+  return detect(a, options, patience);
 }
 
 template <class Options>
 void run(const Animation& a, const Options& options)
 {
-  const auto features = detect_in_one_thread(a, options);
+  const auto features = detect_in_one_thread(a, options, Patience{5000});
   if (!features) return;
   check(a, *features);
   const auto parallel = detect(a, options);

@@ -13,8 +13,10 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <limits>
+#include <new>
 #include <string>
 
 namespace CGAL {
@@ -36,6 +38,22 @@ inline std::string one_line(std::string text)
   return text;
 }
 
+// tinygltf fails by returning false, with a reason; but by exceptions of others where what a file refers to is not there.
+template <class Parse>
+void run_tinygltf(const Parse& parse, const std::string& file)
+{
+  std::string error;
+  bool is_read = false;
+  try {
+    is_read = parse(error);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {
+    error = "something that it refers to is not there, or is of another kind";
+  }
+  if (!is_read) throw Input_error(file + ": is no readable glTF 2.0: " + one_line(error));
+}
+
 inline void parse_gltf(const std::string& file, tinygltf::Model& model)
 {
   std::string content;
@@ -45,13 +63,14 @@ inline void parse_gltf(const std::string& file, tinygltf::Model& model)
   const std::string folder = std::filesystem::path(file).parent_path().string();
   tinygltf::TinyGLTF parser;
   parser.SetImageLoader(ignore_image, nullptr);
-  std::string error, warning;
-  const bool is_binary = content.compare(0, 4, "glTF") == 0;
-  const bool is_read =
-      is_binary ? parser.LoadBinaryFromMemory(&model, &error, &warning,
-                                              reinterpret_cast<const unsigned char*>(content.data()), size, folder)
-                : parser.LoadASCIIFromString(&model, &error, &warning, content.data(), size, folder);
-  if (!is_read) throw Input_error(file + ": is no readable glTF 2.0: " + one_line(error));
+  std::string warning;
+  const auto parse = [&](std::string& error) {
+    if (content.compare(0, 4, "glTF") != 0)
+      return parser.LoadASCIIFromString(&model, &error, &warning, content.data(), size, folder);
+    const auto* const bytes = reinterpret_cast<const unsigned char*>(content.data());
+    return parser.LoadBinaryFromMemory(&model, &error, &warning, bytes, size, folder);
+  };
+  run_tinygltf(parse, file);
   if (model.asset.version.compare(0, 1, "2") != 0)
     throw Input_error(file + ": is glTF " + model.asset.version + ", not glTF 2.0");
   // Those that change what a triangle or an animation is are not known here; those of materials change nothing.
