@@ -358,10 +358,9 @@ void test_bad_gltf()
                read(accessor("\"bufferView\": 0, \"componentType\": 5126, \"type\": \"VEC2\", \"count\": 3",
                              "\"byteLength\": 36")),
                "2 numbers in an element, not 3");
-  // tinygltf looks for it by itself
-  CHECK_THROWS(Input_error,
-               read(accessor("\"bufferView\": 9, \"componentType\": 5126, \"type\": \"VEC3\", \"count\": 3",
-                             "\"byteLength\": 36")),
+  const std::string nowhere = "\"bufferView\": 9, \"componentType\": 5126, \"type\": \"VEC3\", \"count\": 3";
+  CHECK_THROWS(Input_error, read(accessor(nowhere, "\"byteLength\": 36")), "there is no buffer view 9");
+  CHECK_THROWS(Input_error, read(accessor(nowhere, "\"byteLength\": 36", ", \"indices\": 0")), // tinygltf looks for it
                "bad.gltf: is no readable glTF 2.0: something that it refers to is not there");
   CHECK_THROWS(Input_error, read(accessor(points + "2", "\"byteLength\": 36")),
                "has 2 corners, which do not make triangles");
