@@ -173,7 +173,7 @@ def bump(options):
 def detector():
     usual = 0
     yield "calibrated", bump([1] + [usual] * 2 + [0] + [usual] * 2 + [0, 1] + [usual] * 2 + [128, 60, 128, 90] + [usual] * 2)
-    yield "published", bump([0, 3] + [usual] * 2 + [0] + [usual] * 2 + [0, 1] + [8, 8])
+    yield "published", bump([0, 2] + [usual] * 2 + [0] + [usual] * 2 + [0, 1] + [8, 8])
 
 
 def hdf5():
