@@ -12,7 +12,7 @@
 set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-stages="1 2 3 4 5"
+stages="1 2 3 4 5 6"
 case "${1:-}" in
   "") ;;
   --quick) stages=1 ;;
@@ -156,6 +156,16 @@ stage_cgal6()
     ctest --test-dir build/cgal6/build --output-on-failure --tests-regex '^consumer_find_package$' --no-tests=error
 }
 
+stage_fuzzing()
+{
+  if ! echo 'extern "C" int LLVMFuzzerTestOneInput(const char*, unsigned long) { return 0; }' |
+       clang++ -fsanitize=fuzzer -x c++ -o build/fuzzer_probe - 2> /dev/null; then
+    why="clang++ with libFuzzer is not here"
+    return 77
+  fi
+  scripts/fuzz.sh 1
+}
+
 # --------------------------------------------------------------------------------------------------------- running them
 
 passed=0
@@ -195,6 +205,7 @@ stage 2 "address and undefined-behaviour sanitizers: build and run" stage_saniti
 stage 3 "clang++, NDEBUG, every header alone: compile" stage_clang
 stage 4 "CGAL 6: compile" stage_cgal6
 stage 5 "thread sanitizer: build and run what is parallel" stage_threads
+stage 6 "fuzz targets: build and run for a minute each" stage_fuzzing
 
 say "Summary"
 printf '%s\n' "$summary"

@@ -545,6 +545,16 @@ void test_bad_gltf()
                read(accessor("\"bufferView\": 0, \"componentType\": 5126, \"type\": \"VEC2\", \"count\": 3",
                              "\"byteLength\": 36")),
                "2 numbers in an element, not 3");
+  const std::string nowhere = "\"bufferView\": 9, \"componentType\": 5126, \"type\": \"VEC3\", \"count\": 3";
+  CHECK_THROWS(Input_error, read(accessor(nowhere, "\"byteLength\": 36")), "there is no buffer view 9");
+  // of a binary file: tinygltf looks for its first byte
+  std::string empty = gltf(", \"buffers\": [{\"byteLength\": 0}]");
+  empty.resize((empty.size() + 3) / 4 * 4, ' ');
+  const auto size = [](std::size_t n) { return std::string{char(n), char(n >> 8), 0, 0}; };
+  CHECK_THROWS(Input_error,
+               read("glTF" + size(2) + size(empty.size() + 32) + size(empty.size()) + "JSON" + empty + size(4) +
+                    std::string("BIN\0\0\0\0", 8)),
+               "bad.gltf: ");
   CHECK_THROWS(Input_error, read(accessor(points + "2", "\"byteLength\": 36")),
                "has 2 corners, which do not make triangles");
   CHECK_THROWS(Input_error, read(accessor(points + "3", "\"byteLength\": 36", ", \"indices\": 7")),
@@ -571,6 +581,53 @@ void write_dataset(const std::string& file, const std::string& name, std::vector
   const Hdf5_handle d(H5Dcreate2(f.id(), name.c_str(), type, space.id(), groups.id(), H5P_DEFAULT, H5P_DEFAULT),
                       H5Dclose);
   CHECK(H5Dwrite(d.id(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
+}
+
+// A dataset into which nothing was written, and which takes no place in the file.
+void announce_dataset(const std::string& file, const std::string& name, const std::vector<hsize_t>& extent)
+{
+  using IO::internal::Hdf5_handle;
+  const Hdf5_handle f(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+  const Hdf5_handle space(H5Screate_simple(int(extent.size()), extent.data(), nullptr), H5Sclose);
+  const Hdf5_handle d(
+      H5Dcreate2(f.id(), name.c_str(), H5T_STD_I8LE, space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  CHECK(d.is_open());
+}
+
+// What a file announces and does not hold is refused before memory is taken for it; other files are left alone.
+void test_hdf5_content()
+{
+  const Temporary_folder folder;
+  const std::string file = folder.path("hollow.h5"), other = folder.path("other.h5");
+  write_dataset(file, "faces", {1, 3}, {0, 1, 2});
+  write_dataset(file, "walk", {3, 3, 4}, std::vector<float>(36));
+  announce_dataset(file, "vast", {hsize_t(1) << 59, 3});
+  announce_dataset(file, "no faces", {0, 3});
+  announce_dataset(file, "nothing", {3, 3, 4});
+  announce_dataset(file, "long", {3, 3, hsize_t(1) << 40});
+  announce_dataset(file, "no vertices", {0, 3, 4});
+  CHECK(IO::read_hdf5<double>(file, "walk").frames == 4);
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "walk", "vast"), "dataset vast has no content");
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "walk", "no faces"), "dataset no faces has no triangles");
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "nothing"), "dataset nothing has no content");
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "long"), "dataset long has no content");
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "no vertices"), "dataset no vertices is 0 x 3 x 4, neither");
+
+  write_dataset(other, "walk", {3, 3, 4}, std::vector<float>(36));
+  {
+    using IO::internal::Hdf5_handle;
+    const Hdf5_handle f(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
+    CHECK(H5Lcreate_external(other.c_str(), "walk", f.id(), "elsewhere", H5P_DEFAULT, H5P_DEFAULT) >= 0);
+    const Hdf5_handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    CHECK(H5Pset_external(how.id(), other.c_str(), 0, 36) >= 0);
+    const hsize_t extent[] = {3, 3, 4};
+    const Hdf5_handle space(H5Screate_simple(3, extent, nullptr), H5Sclose);
+    const Hdf5_handle d(H5Dcreate2(f.id(), "outside", H5T_STD_I8LE, space.id(), H5P_DEFAULT, how.id(), H5P_DEFAULT),
+                        H5Dclose);
+    CHECK(d.is_open());
+  }
+  CHECK_THROWS(Option_error, IO::read_hdf5<double>(file, "elsewhere"), "there is no clip");
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "outside"), "dataset outside keeps its numbers in other files");
 }
 
 void test_hdf5()
@@ -759,6 +816,7 @@ int main(int argc, char* argv[])
 #endif
 #ifdef ANIMATED_MESH_FEATURES_WITH_HDF5
   test_hdf5();
+  test_hdf5_content();
 #else
   std::cout << "SKIPPED: HDF5, since its library is not here" << std::endl;
 #endif

@@ -148,6 +148,8 @@ void test_names_of_scales()
 void test_too_few_counts()
 {
   CHECK_THROWS(Amf::Option_error, published_levels(two_triangles(20), 48, 8), "in space");
+  CHECK(Amf::Every_smoothing_count::largest_count(100) == 60000);
+  CHECK_THROWS(Amf::Option_error, Amf::Every_smoothing_count::largest_count(1e200), "smoothing counts");
   CHECK_THROWS(Amf::Option_error, published_levels(two_triangles(100), 48, 40), "in time");
   CHECK_THROWS(Amf::Option_error, published_levels(two_triangles(100), 48, 1), "box of one frame");
 }
@@ -287,6 +289,13 @@ void test_errors()
     sampling.tau_ratio = ratio;
     CHECK_THROWS(Amf::Option_error, levels(sampling), "ratio");
   }
+  // more levels than anybody can want, or than can be counted
+  Amf::Fixed_ratio_sampling many;
+  many.tau = {1e-300, 1e300};
+  CHECK_THROWS(Amf::Option_error, levels(many), "the range of tau from 1e-300 to 1e+300 has ");
+  many.tau = Amf::Scale_range();
+  many.sigma_ratio = 1.001;
+  CHECK_THROWS(Amf::Option_error, levels(many), "levels; at most 500 are made");
 }
 
 int main()

@@ -91,6 +91,8 @@ inline std::vector<std::array<std::size_t, 3>> read_hdf5_faces(const Hdf5_file& 
     throw Input_error(file + ": has no dataset \"" + name + "\" with the triangles (command line: --faces)");
   if (extent.size() != 2 || extent[1] != 3)
     throw Input_error(file + ": dataset " + name + " is " + extent_text(extent) + ", not triangles x 3");
+  if (extent[0] == 0) throw Input_error(file + ": dataset " + name + " has no triangles");
+  hdf5.check_content(name);
   std::vector<long long> corners(3 * std::size_t(extent[0]));
   hdf5.read(name, {0, 0}, extent, corners.data());
   std::vector<std::array<std::size_t, 3>> triangles(corners.size() / 3);
@@ -184,6 +186,7 @@ read_hdf5(const std::string& file, const std::string& sequence = std::string(), 
   if (data.clips.empty()) throw Input_error(file + ": has no dataset vertices x 3 x frames");
   data.clip = internal::hdf5_clip(hdf5, data.clips, sequence, corners, file);
   const internal::Hdf5_sequence s = internal::hdf5_sequence(hdf5, data.clips[data.clip], corners, file);
+  hdf5.check_content(s.name);
   if (corners.are_from_one(s.vertices)) {
     for (std::array<std::size_t, 3>& t : data.mesh.triangles)
       for (std::size_t& v : t) --v;

@@ -183,16 +183,24 @@ struct Every_smoothing_count
   std::size_t max_time_count = 0;  ///< L; 0: by the formula above
 
   /// the number of averages whose blob has a radius of that many widths: \f$\lfloor 6 x^2 \rfloor\f$.
+  /// \throw Option_error if that are more than 100,000, as where a mesh consists of small parts far apart.
   static std::size_t largest_count(double radius_over_width)
   {
+    const double most_counts = 1e5; // ten times those of a million vertices
     // the largest blob's radius is sqrt(2) sigma, and n boxes of width w have sigma^2 = n w^2 / 12 (without Eq. (7)'s
     // -1)
-    const double most = 1e9; // what is not finite is no number of averages either
-    return std::size_t((std::min)(most, std::floor(6 * radius_over_width * radius_over_width * (1 + 1e-12))));
+    const double count = std::floor(6 * radius_over_width * radius_over_width * (1 + 1e-12));
+    if (!(count <= most_counts)) {
+      std::ostringstream message;
+      message << "there would be " << count << " smoothing counts, because edges or frames are so small a part of the "
+              << "whole; limit the counts (max_space_count, max_time_count)";
+      throw Option_error(message.str());
+    }
+    return std::size_t(count);
   }
 
   /// chooses the levels; asks both filters for their `unit_variance()`.
-  /// \throw Option_error if there are not enough levels for an extremum between levels.
+  /// \throw Option_error if there are not enough levels for an extremum between levels, or see `largest_count()`.
   template <class SpatialFilter, class TemporalFilter>
   Scale_levels operator()(const Rest_shape& shape,
                           std::size_t number_of_frames,

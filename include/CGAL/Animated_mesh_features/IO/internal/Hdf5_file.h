@@ -67,7 +67,7 @@ private:
   herr_t (*m_close)(hid_t);
 };
 
-// A file of arrays, opened for reading.
+// A file of arrays, opened for reading. Links that lead out of it are not followed.
 class Hdf5_file
 {
 public:
@@ -76,8 +76,10 @@ public:
   explicit Hdf5_file(const std::string& path)
     : m_path(path)
     , m_file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose)
+    , m_access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose)
   {
     if (!m_file.is_open()) throw Input_error(path + ": is no readable HDF5 file");
+    H5Pset_elink_cb(m_access.id(), refuse_link, nullptr);
   }
 
   // The names of all arrays, with the groups they are in, in alphabetical order.
@@ -86,20 +88,39 @@ public:
     std::vector<std::string> links, names;
     H5Lvisit(m_file.id(), H5_INDEX_NAME, H5_ITER_INC, append_name, &links);
     for (const std::string& link : links)
-      if (Hdf5_handle(H5Dopen2(m_file.id(), link.c_str(), H5P_DEFAULT), H5Dclose).is_open()) names.push_back(link);
+      if (open(link).is_open()) names.push_back(link);
     return names;
   }
 
   // Empty if there is no such array.
   Extent extent(const std::string& name) const
   {
-    const Hdf5_handle dataset(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+    const Hdf5_handle dataset = open(name);
     if (!dataset.is_open()) return Extent();
     const Hdf5_handle space(H5Dget_space(dataset.id()), H5Sclose);
     const int rank = H5Sget_simple_extent_ndims(space.id());
     Extent extent(rank > 0 ? std::size_t(rank) : 0);
     if (rank > 0) H5Sget_simple_extent_dims(space.id(), extent.data(), nullptr);
     return extent;
+  }
+
+  // To be called before memory for an array is taken: that the file itself holds what the array's extent announces. A file
+  // of a few hundred bytes can announce any size, and what was never written would be read as zeros.
+  void check_content(const std::string& name) const
+  {
+    const Hdf5_handle dataset = open(name);
+    const Hdf5_handle how(H5Dget_create_plist(dataset.id()), H5Pclose);
+    const auto fail = [&](const std::string& text) { throw Input_error(m_path + ": dataset " + name + " " + text); };
+    if (H5Pget_layout(how.id()) == H5D_VIRTUAL || H5Pget_external_count(how.id()) > 0)
+      fail("keeps its numbers in other files, which are not read; copy them into this one (h5repack)");
+    const Hdf5_handle type(H5Dget_type(dataset.id()), H5Tclose);
+    double bytes = double(H5Tget_size(type.id()));
+    for (hsize_t n : extent(name)) bytes *= double(n);
+    const double most_compressed = 1032; // what deflate makes of zeros
+    const hsize_t stored = H5Dget_storage_size(dataset.id());
+    if (bytes > 0 && stored == 0) fail("has no content: nothing was written into it");
+    if (bytes > most_compressed * double(stored))
+      fail("announces more numbers than the " + std::to_string(stored) + " bytes that it takes in the file can hold");
   }
 
   // Reads `count` elements from `start`, in each dimension; converted from whatever numbers they are.
@@ -113,6 +134,14 @@ public:
   }
 
 private:
+  static herr_t refuse_link(const char*, const char*, const char*, const char*, unsigned*, hid_t, void*) { return -1; }
+
+  // Not open if there is no such array.
+  Hdf5_handle open(const std::string& name) const
+  {
+    return Hdf5_handle(H5Dopen2(m_file.id(), name.c_str(), m_access.id()), H5Dclose);
+  }
+
   static herr_t append_name(hid_t, const char* name, const H5L_info_t*, void* names)
   {
     static_cast<std::vector<std::string>*>(names)->push_back(name);
@@ -121,7 +150,7 @@ private:
 
   void read_as(const std::string& name, const Extent& start, const Extent& count, hid_t type, void* to) const
   {
-    const Hdf5_handle dataset(H5Dopen2(m_file.id(), name.c_str(), H5P_DEFAULT), H5Dclose);
+    const Hdf5_handle dataset = open(name);
     const Hdf5_handle space(H5Dget_space(dataset.id()), H5Sclose);
     const Hdf5_handle memory(H5Screate_simple(int(count.size()), count.data(), nullptr), H5Sclose);
     const bool is_read =
@@ -133,6 +162,7 @@ private:
   std::string m_path;
   Hdf5_silence m_silence;
   Hdf5_handle m_file;
+  Hdf5_handle m_access;
 };
 
 } // namespace internal

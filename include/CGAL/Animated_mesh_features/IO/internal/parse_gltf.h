@@ -20,7 +20,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <exception>
 #include <limits>
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -102,16 +104,22 @@ inline void load_buffers(nlohmann::json& gltf, const std::optional<std::string>&
   }
 }
 
-inline void parse_text(const nlohmann::json& json, Gltf_buffers& buffers, const Gltf_check& check,
-                       tinygltf::Model& model)
+inline void parse_text(const nlohmann::json& json, Gltf_buffers& buffers, const Gltf_check& check, tinygltf::Model& model)
 {
   const std::string text = json.dump();
   if (text.size() > (std::numeric_limits<unsigned int>::max)()) check.fail("is larger than 4 GB");
   tinygltf::TinyGLTF parser;
   parser.SetFsCallbacks(buffers.callbacks());
   std::string error, warning;
-  const bool is_read = parser.LoadASCIIFromString(&model, &error, &warning, text.data(),
-                                                  static_cast<unsigned int>(text.size()), std::string());
+  bool is_read = false;
+  try {
+    is_read = parser.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned int>(text.size()),
+                                         std::string());
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) { // not its own: it looks for something without asking whether it is there
+    error = "something that it refers to is not there, or is of another kind";
+  }
   if (!is_read) check.fail("is no readable glTF 2.0: " + one_line(error));
   if (model.asset.version.compare(0, 1, "2") != 0) check.fail("is glTF " + model.asset.version + ", not glTF 2.0");
 }
