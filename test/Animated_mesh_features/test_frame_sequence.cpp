@@ -314,6 +314,78 @@ void test_unusual(const Bumpy_sphere& sphere)
   CHECK(on_sheet > 0);
 }
 
+// The features of an animation of which further vertices follow those of the sphere.
+std::vector<Two_stages<Sequence>::Feature> features_of(const Mesh& mesh, const Frames& frames, double frame_duration,
+                                                       AMF::Rest_shape& shape)
+{
+  const Sequence sequence(mesh, frames, frame_duration);
+  shape = sequence.rest_shape();
+  Two_stages<Sequence> detector(sequence, AMF::Calibrated_options());
+  std::vector<Two_stages<Sequence>::Feature> features;
+  detector(std::back_inserter(features));
+  return features;
+}
+
+bool are_equal(const std::vector<Two_stages<Sequence>::Feature>& a, const std::vector<Two_stages<Sequence>::Feature>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& p, const auto& q) {
+    return p.vertex_index == q.vertex_index && p.frame == q.frame && p.time == q.time && p.sigma == q.sigma &&
+           p.tau == q.tau && p.response == q.response && p.position == q.position;
+  });
+}
+
+// The size of a shape is that of what deforms: neither a vertex in no triangle nor a part that only moves changes it.
+void test_size(const Bumpy_sphere& sphere, const Mesh& mesh)
+{
+  AMF::Rest_shape alone, shape;
+  const auto expected = features_of(mesh, sphere.frames, sphere.frame_duration, alone);
+  CHECK(!expected.empty());
+  CHECK(alone.measured_vertices().size() == alone.number_of_vertices());
+  const auto same_size = [&] {
+    return shape.diameter() == alone.diameter() && shape.bounding_box_diagonal() == alone.bounding_box_diagonal() &&
+           shape.mean_edge_length() == alone.mean_edge_length() &&
+           shape.measured_vertices() == alone.measured_vertices();
+  };
+
+  for (const double far : {50., 1e30}) {
+    Mesh stray = mesh;
+    Frames frames = sphere.frames;
+    stray.add_vertex(Point_3(far, far, -far));
+    for (std::vector<Point_3>& points : frames) points.emplace_back(far, far, -far);
+    const auto found = features_of(stray, frames, sphere.frame_duration, shape);
+    CHECK(same_size());
+    CHECK(are_equal(found, expected));
+  }
+
+  // A tetrahedron that passes by and turns; its positions are rounded. It is so large that everything is smaller than the
+  // smallest scale against it.
+  Mesh passing = mesh;
+  Frames frames = sphere.frames;
+  const std::array<Point_3, 4> corners = {{Point_3(0, 0, 0), Point_3(90, 0, 0), Point_3(0, 90, 0), Point_3(0, 0, 90)}};
+  std::vector<Mesh::Vertex_index> v;
+  for (const Point_3& p : corners) v.push_back(passing.add_vertex(p));
+  for (const auto& t : {std::array<int, 3>{{0, 2, 1}}, {{0, 1, 3}}, {{1, 2, 3}}, {{2, 0, 3}}})
+    passing.add_face(v[std::size_t(t[0])], v[std::size_t(t[1])], v[std::size_t(t[2])]);
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const double c = std::cos(0.1 * double(f)), s = std::sin(0.1 * double(f));
+    for (const Point_3& p : corners)
+      frames[f].emplace_back(float(c * p.x() - s * p.y() + double(f)), float(s * p.x() + c * p.y()), float(p.z()));
+  }
+  const auto found = features_of(passing, frames, sphere.frame_duration, shape);
+  CHECK(same_size());
+  CHECK(found.size() == expected.size());
+  for (std::size_t i = 0; i < (std::min)(found.size(), expected.size()); ++i) {
+    CHECK(found[i].vertex_index == expected[i].vertex_index);
+    CHECK_NEAR(found[i].sigma, expected[i].sigma, 1e-6 * expected[i].sigma);
+  }
+
+  // where nothing deforms, everything counts
+  const Frames still(sphere.frames.size(), frames.front());
+  features_of(passing, still, sphere.frame_duration, shape);
+  CHECK(shape.measured_vertices().size() == shape.number_of_vertices());
+  CHECK(shape.diameter() > 90);
+}
+
 // The rows of the rest shape against what their documentation says, found directly. The vertices of the mesh are numbered
 // at random, so that nothing is in order by chance.
 void test_rest_connectivity(const Bumpy_sphere& sphere)
@@ -449,6 +521,7 @@ int main()
   test_bad_frames(sphere, mesh);
   test_rest_shape(sphere, mesh);
   test_unusual(sphere);
+  test_size(sphere, mesh);
   test_rest_connectivity(sphere);
   test_rows<float>();
   test_rows<double>();

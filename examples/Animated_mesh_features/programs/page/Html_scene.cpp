@@ -79,7 +79,7 @@ void write_bytes(std::ostream& os, const std::string& id, const std::string& byt
 Html_scene::Html_scene(const Shown_scene& scene, std::size_t frame_step)
   : m_scene(scene)
   , m_frames(kept_frames(scene.sequence.number_of_frames(), frame_step))
-  , m_positions(scene.sequence.trajectories())
+  , m_positions(scene.sequence.trajectories(), scene.sequence.rest_shape())
   , m_prediction(scene.sequence.number_of_vertices(), scene.sequence.rest_shape().triangles())
 {
   for (const Scene_field& f : scene.fields) m_fields.emplace_back(*f.values, m_frames);

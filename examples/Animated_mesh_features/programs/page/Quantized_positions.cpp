@@ -7,6 +7,7 @@
 #include "page/Quantized_positions.h"
 
 #include "running/Interruption.h"
+#include "scenes/Shown_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,10 @@
 
 namespace Programs {
 
-Quantized_positions::Quantized_positions(const Trajectories& animation)
+Quantized_positions::Quantized_positions(const Trajectories& animation,
+                                         const CGAL::Animated_mesh_features::Rest_shape& shape)
   : m_animation(&animation)
+  , m_shape(&shape)
   , m_corners(animation.number_of_frames())
 {
   const double infinity = std::numeric_limits<double>::infinity();
@@ -53,8 +56,9 @@ void Quantized_positions::get_frame(std::size_t c, std::size_t frame, std::vecto
     numbers[v] = static_cast<std::uint16_t>(steps(c, coordinate(c, v, frame)) - first);
 }
 
-double Quantized_positions::coordinate(std::size_t c, std::size_t v, std::size_t f) const
+double Quantized_positions::coordinate(std::size_t c, std::size_t i, std::size_t f) const
 {
+  const std::size_t v = shown_vertex(*m_shape, i);
   return c == 0 ? m_animation->x(v, f) : c == 1 ? m_animation->y(v, f) : m_animation->z(v, f);
 }
 

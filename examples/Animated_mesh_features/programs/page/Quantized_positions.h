@@ -7,6 +7,7 @@
 #ifndef PROGRAMS_PAGE_QUANTIZED_POSITIONS_H
 #define PROGRAMS_PAGE_QUANTIZED_POSITIONS_H
 
+#include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Animation/Vertex_trajectories.h>
 
 #include <array>
@@ -25,7 +26,8 @@ class Quantized_positions
 public:
   typedef CGAL::Animated_mesh_features::Vertex_trajectories<double> Trajectories;
 
-  explicit Quantized_positions(const Trajectories& animation); // is referred to
+  // Both are referred to.
+  Quantized_positions(const Trajectories& animation, const CGAL::Animated_mesh_features::Rest_shape& shape);
 
   const std::array<double, 3>& origin() const { return m_origin; }
   double step() const { return m_step; }
@@ -43,6 +45,7 @@ private:
   std::int64_t steps(std::size_t c, double x) const;
 
   const Trajectories* m_animation;
+  const CGAL::Animated_mesh_features::Rest_shape* m_shape;
   std::vector<std::array<double, 3>> m_corners; // of each frame's bounding box
   std::array<double, 3> m_origin;
   double m_step = 1;

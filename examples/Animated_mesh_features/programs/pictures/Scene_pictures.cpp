@@ -37,8 +37,10 @@ Rendering::Surface Scene_pictures::surface(std::size_t frame) const
 {
   Rendering::Surface s;
   const auto& animation = m_scene.sequence.trajectories();
-  for (std::size_t v = 0; v < m_scene.sequence.number_of_vertices(); ++v)
+  for (std::size_t i = 0; i < m_scene.sequence.number_of_vertices(); ++i) {
+    const std::size_t v = shown_vertex(m_scene.sequence.rest_shape(), i);
     s.points.emplace_back(animation.x(v, frame), animation.y(v, frame), animation.z(v, frame));
+  }
   s.triangles = m_triangles;
   s.normals = Rendering::vertex_normals(s.points, s.triangles);
   if (has_field())
@@ -92,8 +94,10 @@ double Scene_pictures::lowest(int axis) const
   const auto& animation = m_scene.sequence.trajectories();
   const auto& c = axis == 0 ? animation.x : axis == 1 ? animation.y : animation.z;
   double result = (std::numeric_limits<double>::max)();
-  for (std::size_t v = 0; v < c.number_of_rows(); ++v)
+  for (std::size_t i = 0; i < c.number_of_rows(); ++i) {
+    const std::size_t v = shown_vertex(m_scene.sequence.rest_shape(), i);
     result = (std::min)(result, *std::min_element(c.row(v), c.row(v) + c.number_of_frames()));
+  }
   return result;
 }
 

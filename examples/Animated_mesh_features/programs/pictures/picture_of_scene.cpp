@@ -42,6 +42,15 @@ void copy(const Rendering::Image& image, const Rendering::Panel& panel, Renderin
       picture(panel.left + x, panel.top + y) = Rendering::encoded(image(x, y));
 }
 
+// Of the rest shape: where what moves would stand.
+std::vector<Eigen::Vector3d> measured_points(const Shown_scene& scene)
+{
+  const AMF::Rest_shape& shape = scene.sequence.rest_shape();
+  std::vector<Eigen::Vector3d> result;
+  for (AMF::Rest_shape::Index v : shape.measured_vertices()) result.push_back(shape.points()[v]);
+  return result;
+}
+
 } // namespace
 
 Rendering::Srgb_image picture_of_scene(const Shown_scene& scene, const Picture_options& options)
@@ -62,7 +71,7 @@ Rendering::Srgb_image picture_of_scene(const Shown_scene& scene, const Picture_o
   }
 
   Rendering::View_direction view;
-  view.up_axis = options.up_axis ? *options.up_axis : Rendering::probable_up_axis(scene.sequence.rest_shape().points());
+  view.up_axis = options.up_axis ? *options.up_axis : Rendering::probable_up_axis(measured_points(scene));
   view.elevation = options.elevation;
   view.azimuth = options.azimuth ? *options.azimuth : Rendering::good_azimuth(bodies, spheres, view);
 

@@ -164,6 +164,17 @@ double set_rest(const Reading_options& o, const File_data& data, Sequence& seque
   return 1;
 }
 
+// Which vertices default lengths are measured by is surprising if it is not all of them.
+void add_notice_of_stiff_parts(const AMF::Rest_shape& shape, std::vector<std::string>& notices)
+{
+  std::size_t of_triangles = 0;
+  for (std::size_t v = 0; v < shape.number_of_vertices(); ++v) of_triangles += shape.is_isolated(v) ? 0 : 1;
+  const std::size_t measured = shape.measured_vertices().size();
+  if (measured < of_triangles)
+    notices.push_back("parts of " + std::to_string(of_triangles - measured) + " vertices keep their shape; the size of " +
+                      "the body, which lengths are fractions of, is that of the other " + std::to_string(measured));
+}
+
 } // namespace
 
 Animation::Animation(const Reading_options& options, const AMF::IO::Memory_chooser& choose_memory)
@@ -193,6 +204,7 @@ Animation::Animation(const Reading_options& options, const AMF::IO::Memory_choos
   m_sequence.emplace(m_mesh, std::move(data.x), std::move(data.y), std::move(data.z), 1 / m_frames_per_second);
   check_size(*m_sequence, data.frame_name(0));
   m_rest_factor = set_rest(options, data, *m_sequence);
+  add_notice_of_stiff_parts(m_sequence->rest_shape(), m_notices);
   m_origins = std::move(data.origins);
 }
 

@@ -9,6 +9,8 @@
 
 #include "reading/Sequence.h"
 
+#include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
+
 #include <string>
 #include <vector>
 
@@ -37,6 +39,13 @@ struct Shown_scene
   // the field of that name; null if there is none
   const Shown_values* field(const std::string& name) const;
 };
+
+// A vertex in whose place a vertex is drawn: itself, or, if it belongs to no triangle, one that does. What is not seen takes
+// no room in a picture.
+inline std::size_t shown_vertex(const CGAL::Animated_mesh_features::Rest_shape& shape, std::size_t v)
+{
+  return shape.is_isolated(v) ? shape.triangles().front()[0] : v;
+}
 
 // Checks that the parts of a scene belong together: for writers, before they write anything.
 // throws Option_error if a field has not the shape N x F of the sequence; Input_error if a value of a field is not finite,

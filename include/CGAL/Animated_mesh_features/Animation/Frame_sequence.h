@@ -14,6 +14,7 @@
 #include <CGAL/Animated_mesh_features/Animation/Vertex_trajectories.h>
 #include <CGAL/Animated_mesh_features/Animation/check_timing.h>
 #include <CGAL/Animated_mesh_features/Animation/internal/check_trajectories.h>
+#include <CGAL/Animated_mesh_features/Animation/internal/deforming_vertices.h>
 #include <CGAL/Animated_mesh_features/Animation/Frame_batch.h>
 #include <CGAL/Animated_mesh_features/Animation/internal/copy_points.h>
 #include <CGAL/Animated_mesh_features/Animation/internal/rest_points.h>
@@ -251,7 +252,8 @@ public:
   /// the row of each vertex in fields of this animation: its rank in `vertices(mesh)`.
   Vertex_index_map vertex_index_map() const { return m_index; }
 
-  /// the rest shape as the policies see it.
+  /// the rest shape as the policies see it. Its size, of which default lengths are fractions, is measured by the
+  /// components that deform against it, by more than a hundredth of what the most deformed one does; by all, if none does.
   const Rest_shape& rest_shape() const { return m_rest; }
 
   /// the positions of all vertices in all frames, rows in the order of `vertices(mesh)`.
@@ -272,7 +274,13 @@ private:
     m_rest = Rest_shape(mesh, m_index, m_vertices.size());
   }
 
-  void set_rest_points(std::vector<Rest_shape::Point> points) { m_rest.set_points(std::move(points)); }
+  // Default lengths are to fit what deforms, not what only lies about.
+  void set_rest_points(std::vector<Rest_shape::Point> points)
+  {
+    m_rest.set_points(std::move(points));
+    std::vector<Rest_shape::Index> deforming = internal::deforming_vertices(m_rest, m_trajectories);
+    if (deforming != m_rest.measured_vertices()) m_rest.set_measured_vertices(std::move(deforming));
+  }
 
   const TriangleMesh* m_mesh;
   Vertex_index_map m_index;

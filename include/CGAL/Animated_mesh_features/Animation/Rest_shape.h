@@ -133,6 +133,9 @@ public:
 
   /// whether vertex `v` is an end of a border edge.
   bool is_border(std::size_t v) const { return m_is_border[v] != 0; }
+
+  /// whether vertex `v` belongs to no triangle.
+  bool is_isolated(std::size_t v) const { return m_incident_triangles[v].size() == 0; }
   /// @}
 
   /// \name Geometry
@@ -147,21 +150,33 @@ public:
   /// the length of each edge.
   const std::vector<double>& lengths() const { return m_lengths; }
 
-  /// the mean of `lengths()`.
+  /// the vertices by which the shape's size is measured: all that belong to triangles, or those of them that
+  /// `set_measured_vertices()` was told, ascending. A vertex that belongs to no triangle has no size.
+  const std::vector<Index>& measured_vertices() const { return m_measured; }
+
+  /// the mean of the lengths of the edges of measured vertices.
   double mean_edge_length() const { return m_mean_edge_length; }
 
-  /// the diagonal of the axis-parallel bounding box of all vertices (length).
+  /// the diagonal of the axis-parallel bounding box of all measured vertices (length).
   double bounding_box_diagonal() const { return m_diagonal; }
 
-  /// the diameter of the smallest enclosing sphere: the size of the shape that default lengths are fractions of. Other
-  /// than the diagonal of the axis-parallel bounding box, which it equals for a box and else is 85 to 95 % of, it does
-  /// not change when the shape is turned.
+  /// the diameter of the smallest sphere around all measured vertices: the size of the shape that default lengths are
+  /// fractions of. Other than the diagonal of the axis-parallel bounding box, which it equals for a box and else is 85
+  /// to 95 % of, it does not change when the shape is turned.
   double diameter() const { return m_diameter; }
 
   /// moves the vertices, `N` points, and measures the shape anew. Linear time.
   void set_points(std::vector<Point> points)
   {
     m_points = std::move(points);
+    measure();
+  }
+
+  /// measures the shape's size by these vertices, ascending, not isolated, without repetitions, at least one, from now
+  /// on: the parts of a scene that matter. Linear time.
+  void set_measured_vertices(std::vector<Index> vertices)
+  {
+    m_measured = std::move(vertices);
     measure();
   }
   /// @}
@@ -235,32 +250,48 @@ private:
     m_incident_triangles = internal::rows_of_vertices(
         n, m_triangles.size(), [this](std::size_t i) { return m_ordered_triangles[i]; },
         [this](Index t) { return m_triangles[t]; });
+    for (std::size_t v = 0; v < n; ++v)
+      if (!is_isolated(v)) m_measured.push_back(Index(v));
   }
 
   void measure()
   {
     m_lengths.resize(m_edges.size());
-    double sum = 0;
     for (std::size_t i = 0; i < m_edges.size(); ++i)
-      sum += m_lengths[i] = (m_points[m_edges[i].source] - m_points[m_edges[i].target]).norm();
-    m_mean_edge_length = sum / double(m_edges.size());
+      m_lengths[i] = (m_points[m_edges[i].source] - m_points[m_edges[i].target]).norm();
     m_areas.resize(m_triangles.size());
     for (std::size_t i = 0; i < m_triangles.size(); ++i) {
       const Triangle& t = m_triangles[i];
       m_areas[i] = (m_points[t[1]] - m_points[t[0]]).cross(m_points[t[2]] - m_points[t[0]]).norm() / 2;
     }
-    Point low = m_points.front(), high = low;
-    for (const Point& p : m_points) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
+    measure_size();
+  }
+
+  void measure_size()
+  {
+    std::vector<char> is_measured(number_of_vertices(), 0);
+    for (Index v : m_measured) is_measured[v] = 1;
+    double sum = 0;
+    std::size_t edges = 0;
+    for (std::size_t i = 0; i < m_edges.size(); ++i) {
+      if (is_measured[m_edges[i].source] == 0) continue;
+      sum += m_lengths[i];
+      ++edges;
     }
-    m_diagonal = (high - low).norm();
+    m_mean_edge_length = sum / double(edges);
+    Point low = m_points[m_measured.front()], high = low;
     typedef CGAL::Simple_cartesian<double> Kernel;
     std::vector<Kernel::Point_3> points;
-    points.reserve(m_points.size());
-    for (const Point& p : m_points) points.emplace_back(p[0], p[1], p[2]);
+    points.reserve(m_measured.size());
+    for (Index v : m_measured) {
+      const Point& p = m_points[v];
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+      points.emplace_back(p[0], p[1], p[2]);
+    }
+    m_diagonal = (high - low).norm();
     CGAL::Min_sphere_of_spheres_d<CGAL::Min_sphere_of_points_d_traits_3<Kernel, double>> sphere(points.begin(),
-                                                                                                      points.end());
+                                                                                                points.end());
     m_diameter = 2 * CGAL::to_double(sphere.radius());
   }
 
@@ -270,6 +301,7 @@ private:
   Compressed_rows m_neighbours, m_incident_triangles, m_incident_edges;
   std::vector<char> m_is_border;
   std::vector<Point> m_points;
+  std::vector<Index> m_measured;
   std::vector<double> m_areas, m_lengths;
   double m_mean_edge_length = 0;
   double m_diagonal = 0;

@@ -44,13 +44,14 @@ public:
   /// \param scale_per_vertex whether the scale of a level is told for each vertex; otherwise it is the same for all.
   explicit One_ring_average_filter(bool scale_per_vertex = true) : m_per_vertex(scale_per_vertex) {}
 
-  /// the mean variance per axis that one average adds (squared length); also the smallest that can be asked for.
+  /// the mean variance per axis that one average adds at the measured vertices (squared length); also the smallest that
+  /// can be asked for.
   double unit_variance(const Rest_shape& shape) const
   {
     double sum = 0;
     const std::vector<double> delta = added_variance(shape);
-    for (double d : delta) sum += d;
-    return sum / double(delta.size());
+    for (Rest_shape::Index v : shape.measured_vertices()) sum += delta[v];
+    return sum / double(shape.measured_vertices().size());
   }
 
   /// the smallest variance that a level can have.

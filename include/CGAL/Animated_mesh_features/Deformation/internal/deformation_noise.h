@@ -10,9 +10,9 @@
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/Animation/Vertex_trajectories.h>
-#include <CGAL/Animated_mesh_features/Animation/largest_value.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -40,13 +40,17 @@ bool is_in_single_precision(const Spatio_temporal_field<FT>& field)
 template <class FT>
 double deformation_noise(const Rest_shape& shape, const Vertex_trajectories<FT>& trajectories)
 {
-  const double largest =
-      (std::max)({largest_value(trajectories.x), largest_value(trajectories.y), largest_value(trajectories.z)});
+  FT largest = 0;
+  for (std::size_t v = 0; v < shape.number_of_vertices(); ++v) {
+    if (shape.is_isolated(v)) continue;
+    for (const Spatio_temporal_field<FT>* c : {&trajectories.x, &trajectories.y, &trajectories.z})
+      for (std::size_t f = 0; f < c->number_of_frames(); ++f) largest = (std::max)(largest, std::abs((*c)(v, f)));
+  }
   const bool came_rounded = is_in_single_precision(trajectories.x) && is_in_single_precision(trajectories.y) &&
                             is_in_single_precision(trajectories.z);
   const double rounding = (std::max)(100 * double(std::numeric_limits<FT>::epsilon()),
                                      came_rounded ? 2 * double(std::numeric_limits<float>::epsilon()) : 0.);
-  return rounding * largest / shape.mean_edge_length();
+  return rounding * double(largest) / shape.mean_edge_length();
 }
 
 } // namespace internal
