@@ -736,7 +736,11 @@ void test_faulty_frames()
     return is_right;
   };
 
-  // one frame without extent between good ones, or with all vertices on a line
+  // one frame without extent between good ones, but for rounding, or with all vertices on a line
+  const auto rounded = sheet.read([](std::size_t f, std::size_t v, P& p) {
+    if (f == 4) p = {{1e3 * (1 + 1e-7 * double(v % 3)), 0, double(v % 2) * 1e-5}};
+  });
+  CHECK(is_between(rounded, 4, 3, 5));
   for (double width : {0., 1.}) {
     const auto lone = sheet.read([&](std::size_t f, std::size_t, P& p) {
       if (f == 4) p = {{width * p[0], 0, 0}};
@@ -806,7 +810,8 @@ void test_coarse_precision()
   CHECK(away(power / 256).notices.empty());
   const auto noted = away(power / 32).notices;
   CHECK(noted.size() == 1 && noted[0].find("in single precision are multiples of") != std::string::npos);
-  CHECK_THROWS(Input_error, away(power / 4), "what deforms is lost in rounding");
+  for (double lost : {power / 4, 1e6 * power})
+    CHECK_THROWS(Input_error, away(lost), "what deforms is lost in rounding");
 }
 
 // STL names no vertices: corners that are together in all frames are one, whether others meet them in some frame or not.

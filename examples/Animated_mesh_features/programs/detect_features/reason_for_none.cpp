@@ -40,27 +40,28 @@ bool has_few_frames(const Sequence& sequence)
   return sequence.number_of_frames() < usual_least;
 }
 
-// Why no minimum may be within the scales.
+// Why no minimum may be within the scales: each is the end of a sentence.
 std::string causes(const Sequence& sequence, const Method_options& o, const Detection& d)
 {
-  std::ostringstream os;
+  std::string causes;
   const std::string typed = typed_limits(o);
   if (!typed.empty())
-    os << "; " << typed << (typed.find(" --") == std::string::npos ? " excludes" : " exclude") << " others";
+    causes += "; " + typed + (typed.find(" --") == std::string::npos ? " excludes" : " exclude") + " others";
   const double sigma = d.scales.sigma_levels[d.scales.levels_below];
   if (o.sigma.text.empty() && is_limited_by_mesh(sequence.rest_shape(), o, sigma))
-    os << "; the mesh is coarse: " << coarse_mesh(sequence.rest_shape(), o);
+    causes += "; the mesh is coarse: " + coarse_mesh(sequence.rest_shape(), o);
   if (has_few_frames(sequence))
-    os << "; " << counted(sequence.number_of_frames(), "frame is", "frames are")
-       << " few: an event needs some before and after it";
+    causes += "; " + counted(sequence.number_of_frames(), "frame is", "frames are") +
+              " few: an event needs some before and after it";
   const Missing_features& m = *d.missing;
-  os << "; the largest deformation, " << m.deformation << ", is at vertex " << m.vertex << " in frame " << m.frame;
+  std::ostringstream largest;
+  largest << "; the largest deformation, " << m.deformation << ", is at vertex " << m.vertex << " in frame " << m.frame;
   if (m.frame == 0 || m.frame + 1 == sequence.number_of_frames())
-    os << ", the " << (m.frame == 0 ? "first" : "last")
-       << ": what only grows or fades has no moment of its own (of a clip, --there-and-back makes one)";
-  else if (os.str().find(';') == os.str().rfind(';') && o.preset == Preset::CALIBRATED)
-    os << ": it may be larger or last longer than that; --sigma-range and --tau-range take other scales";
-  return os.str();
+    largest << ", the " << (m.frame == 0 ? "first" : "last")
+            << ": what only grows or fades has no moment of its own (of a clip, --there-and-back makes one)";
+  else if (causes.empty() && o.preset == Preset::CALIBRATED)
+    largest << ": it may be larger or last longer than that; --sigma-range and --tau-range take other scales";
+  return causes + largest.str();
 }
 
 } // namespace

@@ -9,23 +9,17 @@
 
 #include <CGAL/Animated_mesh_features/IO/Animation_file_data.h>
 #include <CGAL/Animated_mesh_features/IO/file_format.h>
-#include <CGAL/Animated_mesh_features/IO/internal/Frame_edges.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Frame_extents.h>
+#include <CGAL/Animated_mesh_features/IO/internal/Frame_fault.h>
 #include <CGAL/Animated_mesh_features/IO/internal/bridge_frames.h>
+#include <CGAL/Animated_mesh_features/IO/internal/check_precision.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
-#include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
 
 #include <CGAL/tags.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <locale>
-#include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -33,75 +27,6 @@ namespace Animated_mesh_features {
 namespace IO {
 
 namespace internal {
-
-// A number for a sentence.
-inline std::string short_number(double x)
-{
-  std::ostringstream os;
-  os.imbue(std::locale::classic());
-  os.precision(3);
-  os << x;
-  return os.str();
-}
-
-inline std::string vertex_name(const Vertex_origins& origins, std::size_t v)
-{
-  return "vertex " + std::to_string(origins.empty() ? v : origins.file_vertices[origins.first[v]]);
-}
-
-// The frame that others are measured by: with a quarter of them, a body is not larger. Those without extent do not count.
-inline std::size_t usual_frame(const std::vector<Frame_extent>& extents)
-{
-  std::vector<std::size_t> frames;
-  for (std::size_t f = 0; f < extents.size(); ++f)
-    if (extents[f].diagonal > 0) frames.push_back(f);
-  if (frames.empty()) return extents.size();
-  const auto quarter = frames.begin() + std::ptrdiff_t((frames.size() - 1) / 4);
-  std::nth_element(frames.begin(), quarter, frames.end(), [&](std::size_t f, std::size_t g) {
-    return extents[f].diagonal != extents[g].diagonal ? extents[f].diagonal < extents[g].diagonal : f < g;
-  });
-  return *quarter;
-}
-
-// What is wrong with a frame for certain.
-struct Frame_fault
-{
-  std::string what;           // in words; empty if nothing is
-  bool holds_nothing = false; // that could be missed
-};
-
-template <class FT>
-Frame_fault frame_fault(const Animation_file_data<FT>& data, const std::vector<Frame_extent>& extents, std::size_t f,
-                        std::size_t usual, const Frame_edges& usual_edges)
-{
-  const double no_extent = 1e-9, exploded = 10, torn = 1e8; // over the usual extent
-  const double size = extents[f].diagonal, usual_size = extents[usual].diagonal;
-  if (!(size > no_extent * usual_size)) return {"has no extent: all vertices are at one point", true};
-  if (has_no_area(data, f)) return {"has no surface: all triangles are collapsed", true};
-  if (!(size > exploded * usual_size)) return Frame_fault();
-  // A body that grows as a whole has longer edges everywhere, one that flies away has the same ones.
-  const Frame_edges edges = frame_edges(data, f);
-  const double growth = usual_edges.median > 0 ? (std::max)(1., edges.median / usual_edges.median) : 1;
-  if (!(edges.longest > exploded * usual_size * growth) && !(size > torn * usual_size)) return Frame_fault();
-  const Position middle = middle_of_frame(data, f);
-  std::array<std::size_t, 2> ends = edges.ends_of_longest;
-  if (distance(position(data, ends[0], f), middle) < distance(position(data, ends[1], f), middle))
-    std::swap(ends[0], ends[1]);
-  return {vertex_name(data.origins, ends[0]) + " is " + short_number(distance(position(data, ends[0], f), middle)) +
-              " away from the middle of the others; other frames are " + short_number(usual_size) + " large in all",
-          false};
-}
-
-template <class ConcurrencyTag, class FT>
-std::vector<Frame_fault> frame_faults(const Animation_file_data<FT>& data, const std::vector<Frame_extent>& extents,
-                                      std::size_t usual)
-{
-  const Frame_edges usual_edges = frame_edges(data, usual);
-  std::vector<Frame_fault> faults(data.frames);
-  parallel_for<ConcurrencyTag>(0, data.frames,
-                               [&](std::size_t f) { faults[f] = frame_fault(data, extents, f, usual, usual_edges); });
-  return faults;
-}
 
 // "3, 5-8", at most some of them
 inline std::string frame_list(const std::vector<Bridged_frame>& frames)
@@ -115,31 +40,6 @@ inline std::string frame_list(const std::vector<Bridged_frame>& frames)
             (last > i ? "-" + std::to_string(frames[last].frame) : "");
   }
   return list;
-}
-
-// Notes, or refuses, coordinates whose rounding is a large part of the edges, by the frame that lies farthest away.
-template <class FT>
-void check_precision(const std::vector<Frame_extent>& extents, const std::vector<char>& is_good,
-                     Animation_file_data<FT>& data)
-{
-  const double coarse = 0.01, hopeless = 0.1; // of the mean edge
-  const auto distance_in_sizes = [&](std::size_t f) { return extents[f].magnitude / extents[f].diagonal; };
-  std::size_t farthest = extents.size();
-  for (std::size_t f = 0; f < extents.size(); ++f)
-    if (is_good[f] && extents[f].is_single_precision &&
-        (farthest == extents.size() || distance_in_sizes(f) > distance_in_sizes(farthest)))
-      farthest = f;
-  if (farthest == extents.size()) return;
-  const double edge = frame_edges(data, farthest).mean;
-  const float magnitude = float(extents[farthest].magnitude);
-  const double step = double(std::nextafter(magnitude, (std::numeric_limits<float>::infinity)())) - double(magnitude);
-  if (!(step > coarse * edge)) return;
-  const std::string what = data.frame_name(farthest) + ": coordinates up to " + short_number(magnitude) +
-                           " in single precision are multiples of " + short_number(step) + ", " +
-                           short_number(100 * step / edge) + " % of the mean edge, " + short_number(edge);
-  const std::string remedy = "export the animation with its origin near the body";
-  if (step > hopeless * edge) throw Input_error(what + ": what deforms is lost in rounding; " + remedy);
-  data.notices.push_back(what + ": weak features are noise; " + remedy);
 }
 
 } // namespace internal
@@ -161,7 +61,8 @@ stay; before the first and after the last good one, that one is repeated.
 Coordinates that are all of single precision, as point caches hold them, are rounded by 6e-8 of themselves: if that step
 is more than 1 % of the mean edge, it is noted, if more than 10 %, it is an error that leaving out frames does not mend.
 
-`O(N F)` time, no memory to speak of. The result does not depend on the number of threads.
+`O(N F)` time; memory for the edges of a frame, of some where vertices are exploded. The result does not depend on the
+number of threads.
 
 \param skip_bad_frames whether frames are left out rather than refused.
 \param data an animation; its coordinates, the points of its mesh, if those are the first frame's, and its `notices` may
@@ -177,9 +78,9 @@ void check_frames(bool skip_bad_frames, Animation_file_data<FT>& data)
   if (usual == data.frames)
     throw Input_error(data.frame_name(0) + ": has no extent: all vertices are at one point, as in all other frames");
   const std::vector<internal::Frame_fault> faults = internal::frame_faults<ConcurrencyTag>(data, extents, usual);
+  internal::check_precision(extents, faults, data);
   std::vector<char> is_good;
-  for (const internal::Frame_fault& fault : faults) is_good.push_back(fault.what.empty());
-  internal::check_precision(extents, is_good, data);
+  for (const internal::Frame_fault& fault : faults) is_good.push_back(fault.kind == internal::Frame_fault::NONE);
   const std::size_t good = std::size_t(std::count(is_good.begin(), is_good.end(), 1));
   if (good == data.frames) return;
   const std::size_t first = std::size_t(std::find(is_good.begin(), is_good.end(), 0) - is_good.begin());
@@ -188,7 +89,7 @@ void check_frames(bool skip_bad_frames, Animation_file_data<FT>& data)
     throw Input_error(what + "; only " + std::to_string(good) + " of the " + std::to_string(data.frames) +
                       " frames are good");
   const std::vector<internal::Bridged_frame> bridged = internal::bridged_frames(is_good);
-  const bool is_lone = bridged.size() == 1 && bridged[0].before != bridged[0].after && faults[first].holds_nothing;
+  const bool is_lone = bridged.size() == 1 && bridged[0].before != bridged[0].after && faults[first].holds_nothing();
   if (!skip_bad_frames && !is_lone)
     throw Input_error(what +
                       (bridged.size() == 1

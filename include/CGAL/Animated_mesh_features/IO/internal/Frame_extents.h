@@ -29,6 +29,14 @@ struct Frame_extent
   double diagonal = 0;             // of the bounding box
   double magnitude = 0;            // of the largest coordinate
   bool is_single_precision = true; // every coordinate is a number in single precision
+
+  // Whether there is more than the rounding of a point.
+  bool is_extended() const
+  {
+    const double rounding = is_single_precision ? double((std::numeric_limits<float>::epsilon)())
+                                                : (std::numeric_limits<double>::epsilon)();
+    return diagonal > 4 * rounding * magnitude;
+  }
 };
 
 inline std::vector<std::size_t> vertices_in_triangles(const Indexed_mesh& mesh, std::size_t number_of_vertices)
