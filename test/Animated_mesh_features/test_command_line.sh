@@ -149,6 +149,12 @@ elif command == "poke":  # base, frame, vertex, value, output: a PC2 with that x
     n = struct.unpack("<i", data[16:20])[0]
     struct.pack_into("<f", data, 32 + 12 * (n * int(arguments[1]) + int(arguments[2])), float(arguments[3]))
     open(arguments[4], "wb").write(data)
+elif command == "zero":  # base, first and last frame, output: a PC2 in which these have no extent
+    data = bytearray(open(arguments[0] + ".pc2", "rb").read())
+    size = 12 * struct.unpack("<i", data[16:20])[0]
+    first, last = 32 + size * int(arguments[1]), 32 + size * (int(arguments[2]) + 1)
+    data[first:last] = bytes(last - first)
+    open(arguments[3], "wb").write(data)
 elif command == "seam":  # base, output: cut open between the first triangle and its neighbours
     n, f, frames = read_pc2(arguments[0])
     lines = open(arguments[0] + ".obj").readlines()
@@ -408,7 +414,7 @@ find_features --threshold 1
 check 'len(x["features"]) == 1 and x["features"][0] == base["features"][0]'
 find_features --absolute-threshold 1e6
 check 'x["features"] == []'
-grep -q "thresholds" err || fail "no reason for finding nothing: $(cat err)"
+grep -q "below the absolute threshold, 1e+06" err || fail "no reason for finding nothing: $(cat err)"
 find_features --threshold 0 --no-suppression
 check 'len(x["features"]) > len(base["features"]) and p(x)["suppression"] is False'
 
@@ -657,6 +663,51 @@ for size in 1e80 1e-80; do
   input "size0.obj: " size0.obj size1.obj size2.obj -o x.json
   grep -q "another unit of length is needed" err || fail "a size of $size: $(cat err)"
 done
+# Frames that are broken: refused with a way out, or bridged in time.
+python3 tool.py poke c 5 7 1e30 exploded.pc2
+input "exploded.pc2, frame 5: vertex 7 is 1e+30 away from the middle of the others" c.obj exploded.pc2 -o x.json
+grep -q "command line: --skip-bad-frames" err || fail "no way out is told: $(cat err)"
+expect 0 "note: exploded.pc2, frame 5: vertex 7 is 1e+30 away" c.obj exploded.pc2 --fps 10 --skip-bad-frames -o x.json
+check 'p(x)["skip_bad_frames"] is True and where(x)[0] == where(base)[0] and p(base)["skip_bad_frames"] is False'
+rm x.json
+python3 tool.py zero c 0 0 zero.pc2
+input "zero.pc2, frame 0: has no extent" c.obj zero.pc2 -o x.json
+python3 tool.py zero c 12 13 zero.pc2
+input "broken are 2 of 16 frames: 12-13" c.obj zero.pc2 -o x.json
+expect 0 "note: zero.pc2, frame 12: has no extent" c.obj zero.pc2 --fps 10 --skip-bad-frames -o x.json
+rm x.json
+python3 tool.py zero c 1 1 zero.pc2
+expect 0 "note: zero.pc2, frame 1: has no extent: all vertices are at one point; it is left out" c.obj zero.pc2 --fps 10 -o x.json
+check 'where(x)[0] == where(base)[0]'
+rm x.json
+printf 'v 1 1 1\n%.0s' $(seq "$vertices") >point.obj
+grep '^f ' c.obj >>point.obj
+input "point.obj" c.obj c.pc2 --rest point.obj -o x.json
+
+# No features: why.
+tells() { grep -q -- "$1" err || fail "not told: $1, but $(cat err)"; }
+for f in 0 1 2 3; do
+  cp f0.obj still$f.obj
+  printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 %s\nf 1 2 3\nf 2 4 3\n' $f >coarse$f.obj
+done
+expect 0 ": nothing deforms: " still0.obj still1.obj still2.obj still3.obj -o x.json
+expect 0 "is below the absolute threshold, 9" c.obj c.pc2 --absolute-threshold 9 -o x.json
+tells ": the strongest response, [0-9.]*, is below"
+expect 0 "; --tau-range 1.2:1.3 excludes others" c.obj c.pc2 --fps 10 --tau-range 1.2:1.3 -o x.json
+tells ": the response has no minimum at sigma from .* to .*, tau from 1.2 to "
+expect 0 "; 4 frames are few" f0.obj f1.obj f2.obj f3.obj -o x.json
+tells "; the largest deformation, [0-9.]*, is at vertex [0-9]* in frame 3, the last"
+rm x.json
+coarse="coarse0.obj coarse1.obj coarse2.obj coarse3.obj"
+input "coarse0.obj: the mesh is too coarse: " $coarse -o x.json
+tells "its mean edge, [0-9.]*, is [0-9.]* % of the diagonal, so that nothing below sigma .*; subdivide it"
+input "coarse0.obj: there are 0 smoothing counts in space" $coarse --preset published -o x.json
+tells " % of the diagonal; subdivide it"
+input "coarse0.obj: the mesh is too coarse" $coarse --tau-range 0.1: -o x.json
+usage "can resolve" $coarse --sigma-range :10% -o x.json
+expect 0 "" $coarse --sigma-range "$("$program" $coarse 2>&1 | sed 's/.*--sigma-range //')" -o x.json
+rm x.json
+
 mkdir nothing
 input "nothing: the folder has no mesh files" nothing -o x.json
 

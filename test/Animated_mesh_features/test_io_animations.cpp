@@ -45,10 +45,10 @@ namespace {
 
 const Temporary_folder folder;
 
-// A number that tells frame, vertex and coordinate, exact in single precision.
+// A number that tells frame, vertex and coordinate, exact in single precision; three vertices make a triangle.
 float value(std::size_t frame, std::size_t vertex, std::size_t coordinate)
 {
-  return float(frame) * 16 + float(vertex) + float(coordinate) / 4;
+  return float(frame) * 16 + float(vertex + vertex * vertex * coordinate) + float(coordinate) / 4;
 }
 
 const auto frame_of_3 = [](std::size_t f, float* xyz) {
@@ -456,8 +456,10 @@ void test_animation_errors()
   error({folder.path("s4")}, other + ": triangle 0 is (0, 1, 3), but (0, 1, 2) in the first frame, ");
   folder.write("s/f2.obj", "v 0 0 nan\n");
   error({folder.path("s")}, second + ":1: vertex 0 has a coordinate that is not finite");
-  folder.write("s/f2.obj", "v 0 0 0\nv 0 0 1\nv 1e200 0 0\nf 1 2 3\n");
-  error({folder.path("s")}, second + ": vertex 2 has a coordinate too large for the precision");
+  const std::string large = "v 0 0 0\nv 0 0 1e198\nv 1e200 0 0\nf 1 2 3\n";
+  folder.write("s/f2.obj", large);
+  error({folder.path("s")}, second + ": vertex 1 has a coordinate too large for the precision");
+  folder.write("s/f1.obj", large);
   CHECK(IO::read_animation<double>({folder.path("s")}).x(2, 1) == 1e200);
 
   // quads
@@ -680,6 +682,136 @@ void test_cache_fits()
   CHECK_THROWS(Input_error, notices(tube.write(exchanged)), "though the points are the same");
   for (std::size_t v = 0; v < 400; ++v) turned.push_back((v + 60) % 400);
   CHECK(notices(tube.write(turned)).empty());
+}
+
+// Frames that cannot be true: named, refused or bridged.
+struct Faulty_sheet
+{
+  Sheet sheet = {false};
+  std::size_t frames = 9;
+
+  // `change(f, v, position)` makes the fault.
+  template <class Change>
+  IO::Animation_file_data<double> read(const Change& change, bool skip = false) const
+  {
+    std::vector<std::size_t> same(400);
+    std::iota(same.begin(), same.end(), std::size_t(0));
+    std::vector<std::string> inputs = sheet.write(same);
+    std::ostringstream os;
+    IO::write_pc2(os, 400, frames, [&](std::size_t f, float* xyz) {
+      for (std::size_t v = 0; v < 400; ++v) {
+        std::array<double, 3> p = sheet.point(v, double(f));
+        change(f, v, p);
+        for (double x : p) *xyz++ = float(x);
+      }
+    });
+    inputs[1] = folder.write("faulty.pc2", os.str());
+    IO::Mesh_reading_options options;
+    options.skip_bad_frames = skip;
+    return IO::read_animation<double>(inputs, options);
+  }
+};
+
+void test_faulty_frames()
+{
+  typedef std::array<double, 3> P;
+  const Faulty_sheet sheet;
+  const auto none = [](std::size_t, std::size_t, P&) {};
+  const auto good = sheet.read(none);
+  CHECK(good.notices.empty());
+  const auto at_zero = [](std::size_t first, std::size_t last) {
+    return [=](std::size_t f, std::size_t, P& p) {
+      if (f >= first && f <= last) p = {{3, 4, 5}};
+    };
+  };
+  const auto is_between = [&](const IO::Animation_file_data<double>& data, std::size_t f, std::size_t g,
+                              std::size_t h) {
+    const double share = g == h ? 0 : double(f - g) / double(h - g);
+    bool is_right = true;
+    for (std::size_t v = 0; v < 400; ++v)
+      is_right = is_right && std::abs(data.x(v, f) - (1 - share) * good.x(v, g) - share * good.x(v, h)) < 1e-12 &&
+                 std::abs(data.z(v, f) - (1 - share) * good.z(v, g) - share * good.z(v, h)) < 1e-12;
+    for (std::size_t v = 0; v < 400; ++v) // others stay as they are
+      is_right = is_right && data.z(v, h) == good.z(v, h) && data.z(v, g) == good.z(v, g);
+    return is_right;
+  };
+
+  // one frame without extent between good ones, but for rounding, or with all vertices on a line
+  const auto rounded = sheet.read([](std::size_t f, std::size_t v, P& p) {
+    if (f == 4) p = {{1e3 * (1 + 1e-7 * double(v % 3)), 0, double(v % 2) * 1e-5}};
+  });
+  CHECK(is_between(rounded, 4, 3, 5));
+  for (double width : {0., 1.}) {
+    const auto lone = sheet.read([&](std::size_t f, std::size_t, P& p) {
+      if (f == 4) p = {{width * p[0], 0, 0}};
+    });
+    CHECK(lone.frames == 9 && is_between(lone, 4, 3, 5) && lone.notices.size() == 1);
+    CHECK(lone.notices[0].find(width == 0 ? "faulty.pc2, frame 4: has no extent" : "frame 4: has no surface") !=
+          std::string::npos);
+  }
+  CHECK_THROWS(Input_error, sheet.read(at_zero(0, 0)), "faulty.pc2, frame 0: has no extent: all vertices are at one");
+  CHECK_THROWS(Input_error, sheet.read(at_zero(8, 8)), "faulty.pc2, frame 8: has no extent");
+  CHECK_THROWS(Input_error, sheet.read(at_zero(3, 5)), "broken are 3 of 9 frames: 3-5; leaving out bad frames");
+  CHECK_THROWS(Input_error, sheet.read(at_zero(2, 8), true), "only 2 of the 9 frames are good");
+  CHECK_THROWS(Input_error, sheet.read(at_zero(0, 8), true),
+               "frame 0: has no extent: all vertices are at one point, as");
+  const auto inner = sheet.read(at_zero(3, 5), true), first = sheet.read(at_zero(0, 1), true),
+             last = sheet.read(at_zero(6, 8), true);
+  CHECK(is_between(inner, 3, 2, 6) && is_between(inner, 4, 2, 6) && is_between(inner, 5, 2, 6));
+  CHECK(is_between(first, 0, 2, 2) && is_between(first, 1, 2, 2) && is_between(last, 8, 5, 5));
+  CHECK(first.notices.size() == 1 &&
+        first.notices[0].find("2 frames are left out, bridged in time: 0-1") != std::string::npos);
+
+  // a vertex that explodes, for a frame or from then on; whole bodies that do
+  for (double distance : {1e4, 1e9, 1e30})
+    for (std::size_t until : {5u, 8u}) {
+      const auto explode = [&](std::size_t f, std::size_t v, P& p) {
+        if (v == 77 && f >= 5 && f <= until) p[1] = distance;
+      };
+      CHECK_THROWS(Input_error, sheet.read(explode), "faulty.pc2, frame 5: vertex 77 is ");
+      CHECK(is_between(sheet.read(explode, true), 5, 4, until == 5 ? 6 : 4));
+    }
+  CHECK_THROWS(Input_error, sheet.read([](std::size_t f, std::size_t v, P& p) {
+    if (f > 5) p[v % 3] = 1e30 * std::sin(double(v));
+  }),
+               "broken are 3 of 9 frames: 6-8");
+
+  // no faults: growth as a whole, a body that is small for long, flies away, or is flat
+  CHECK(sheet
+            .read([](std::size_t f, std::size_t, P& p) {
+              for (double& x : p) x *= std::pow(10., double(f) / 2 - 4);
+            })
+            .notices.size() <= 1); // of the unit
+  CHECK(sheet
+            .read([](std::size_t f, std::size_t, P& p) {
+              for (double& x : p) x *= f == 8 ? 1 : 1e-5;
+            })
+            .frames == 9);
+  CHECK(sheet.read([](std::size_t f, std::size_t, P& p) { p[2] += f == 8 ? 3000. : 0.; }).notices.empty());
+  CHECK(sheet.read([](std::size_t f, std::size_t, P& p) { p[2] *= f == 4 ? 0 : 1; }).notices.empty());
+}
+
+// Far from the origin, single precision leaves little of a surface.
+void test_coarse_precision()
+{
+  typedef std::array<double, 3> P;
+  const Faulty_sheet sheet;
+  const auto away = [&](double distance) {
+    return sheet.read([=](std::size_t, std::size_t, P& p) { p[1] += distance; });
+  };
+  const IO::Indexed_mesh mesh = away(0).mesh;
+  double edge = 0; // mean
+  for (const auto& t : mesh.triangles)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const P &p = mesh.points[t[i]], &q = mesh.points[t[(i + 1) % 3]];
+      edge += std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]) / double(3 * mesh.triangles.size());
+    }
+  const double power = std::exp2(std::floor(std::log2(edge)) + 23); // where numbers are an edge, or half of it, apart
+  CHECK(away(power / 256).notices.empty());
+  const auto noted = away(power / 32).notices;
+  CHECK(noted.size() == 1 && noted[0].find("in single precision are multiples of") != std::string::npos);
+  for (double lost : {power / 4, 4 * power})
+    CHECK_THROWS(Input_error, away(lost), "what deforms is lost in rounding");
 }
 
 // STL names no vertices: corners that are together in all frames are one, whether others meet them in some frame or not.
@@ -956,6 +1088,8 @@ int main()
   test_repair();
   test_stl_series();
   test_cache_fits();
+  test_faulty_frames();
+  test_coarse_precision();
   test_strip<float, CGAL::Parallel_if_available_tag>();
   test_strip<double, CGAL::Parallel_if_available_tag>();
   test_strip<float, CGAL::Sequential_tag>();

@@ -8,10 +8,12 @@
 #define DETECT_FEATURES_DETECTION_H
 
 #include "detect_features/Method_values.h"
+#include "detect_features/Missing_features.h"
 #include "detect_features/Searched_scales.h"
 #include "reading/Sequence.h"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace Detect_features {
@@ -23,7 +25,8 @@ struct Detection
   std::size_t number_of_minima = 0;
   Searched_scales scales;
   Method_values values;
-  double ball_radius = 0; // length; 0 if no balls were needed
+  double ball_radius = 0;                  // length; 0 if no balls were needed
+  std::optional<Missing_features> missing; // if there are no features
 };
 
 } // namespace Detect_features

@@ -8,6 +8,7 @@
 #define DETECT_FEATURES_SEARCH_H
 
 #include "detect_features/Chosen_spatial_filter.h"
+#include "detect_features/Missing_features.h"
 #include "detect_features/Searched_scales.h"
 #include "reading/Values.h"
 #include "running/Monitor.h"
@@ -20,6 +21,7 @@
 #include <CGAL/Animated_mesh_features/Scale_space/Scale_sampling.h>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 // The second stage: a field over a rest shape in, features out.
@@ -45,7 +47,8 @@ struct Search_result
   std::vector<AMF::Spatio_temporal_feature<AMF::Rest_shape::Index>> features; // strongest first
   std::size_t number_of_minima;
   Searched_scales scales;
-  Programs::Values field; // empty unless it is kept
+  Programs::Values field;                  // empty unless it is kept
+  std::optional<Missing_features> missing; // if there are no features
 };
 
 // The sampling of the preset CALIBRATED goes with the central difference of Gaussians, that of PUBLISHED with the forward

@@ -14,13 +14,8 @@
 #include "running/Monitor.h"
 
 #include <cstddef>
-#include <string>
 
 namespace Detect_features {
-
-// One line, or nothing: there are so many smoothing counts that they take long.
-// throws Option_error if there are too few.
-std::string counts_notice(const Programs::Sequence& sequence, const Method_options& options);
 
 // Both stages: computes the deformation, hands out the fields that are wanted, and finds the features. `level_memory`
 // bytes are for the space levels.

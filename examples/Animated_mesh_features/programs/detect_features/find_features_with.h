@@ -13,12 +13,35 @@
 #include <CGAL/Animated_mesh_features/Extrema/Extremum_options.h>
 #include <CGAL/Animated_mesh_features/Scale_space/Difference_of_gaussians.h>
 
+#include <cstddef>
 #include <iterator>
 #include <utility>
+#include <vector>
 
 // Private to the units that define a find_features().
 
 namespace Detect_features {
+
+// Asks the detector, which found no features, for what tells why.
+template <class Detector>
+Missing_features missing_features(Detector& detector, const Search& search)
+{
+  Missing_features m;
+  m.noise = search.noise;
+  const Programs::Values& field = detector.field();
+  for (std::size_t v = 0; v < field.number_of_rows(); ++v)
+    for (std::size_t f = 0; f < field.number_of_frames(); ++f)
+      if (field(v, f) > m.deformation) m = {double(field(v, f)), v, f, m.noise, 0};
+  if (detector.number_of_minima() == 0) return m;
+  AMF::Feature_selection everything;
+  everything.relative_threshold = 1;
+  everything.suppress_non_maxima = false;
+  detector.selection() = everything;
+  std::vector<typename Detector::Feature> strongest;
+  detector(std::back_inserter(strongest), search.monitor);
+  if (!strongest.empty()) m.response = strongest.front().strength();
+  return m;
+}
 
 template <class Response, class TemporalFilter, class Sampling>
 Search_result find_features_with(Search& search, const TemporalFilter& filter, const Sampling& sampling)
@@ -40,6 +63,7 @@ Search_result find_features_with(Search& search, const TemporalFilter& filter, c
   // a response needs levels on either side, an extremum needs responses
   result.scales.levels_below = Response::below + 1;
   result.scales.levels_above = Response::above + 1;
+  if (result.features.empty()) result.missing = missing_features(detector, search);
   if (search.keeps_field) result.field = detector.field();
   return result;
 }

@@ -6,6 +6,7 @@
 
 #include "detect_features/report.h"
 
+#include "detect_features/reason_for_none.h"
 #include "options/Names.h"
 #include "reading/animation_report.h"
 #include "running/counted.h"
@@ -38,11 +39,9 @@ std::string searched(const char* what, const std::vector<double>& levels, const 
 }
 
 // The strongest feature, or why there is none.
-std::string best(const Detection& detection)
+std::string best(const Programs::Animation& animation, const Method_options& method, const Detection& detection)
 {
-  if (detection.features.empty())
-    return detection.number_of_minima > 0 ? ": no response reaches the thresholds"
-                                          : ": the response has no minimum within the range of scales";
+  if (detection.features.empty()) return ": " + reason_for_none(animation.sequence(), method, detection);
   const Feature& f = detection.features.front();
   std::ostringstream os;
   os << ", the strongest (" << std::fixed << std::setprecision(3) << f.strength() << ") at vertex " << f.vertex_index
@@ -105,13 +104,13 @@ std::string detection_report(const Detection& detection)
   return os.str();
 }
 
-std::string summary(const Programs::Output_options& output, std::size_t frames, const Detection& detection,
-                    double seconds)
+std::string summary(const Programs::Output_options& output, const Programs::Animation& animation,
+                    const Method_options& method, const Detection& detection, double seconds)
 {
   std::ostringstream os;
-  os << counted(detection.features.size(), "feature", "features") << " in " << counted(frames, "frame", "frames")
-     << ", computed in " << std::fixed << std::setprecision(1) << seconds << " s" << best(detection)
-     << list_of_files(output) << '\n';
+  os << counted(detection.features.size(), "feature", "features") << " in "
+     << counted(animation.sequence().number_of_frames(), "frame", "frames") << ", computed in " << std::fixed
+     << std::setprecision(1) << seconds << " s" << best(animation, method, detection) << list_of_files(output) << '\n';
   return os.str();
 }
 

@@ -6,6 +6,7 @@
 
 #include "detect_features/run.h"
 
+#include "detect_features/check_scales.h"
 #include "detect_features/detect.h"
 #include "detect_features/report.h"
 #include "options/Names.h"
@@ -67,9 +68,9 @@ void run(const Command_line& c)
   // now rather than after hours of computation
   check_picture_frames(c.output.picture, sequence.number_of_frames());
   if (c.run.verbose) tell(animation_report(c.reading, animation) + plan.report() + "\n");
-  const std::string notices =
-      page_notice + reading_notices(c.reading, animation) + counts_notice(sequence, c.method);
-  if (!c.run.quiet) tell(notices);
+  if (!c.run.quiet) tell(page_notice + reading_notices(c.reading, animation));
+  check_scales(sequence, c.method, c.reading.rest.file.empty() ? c.reading.inputs.front() : c.reading.rest.file);
+  if (!c.run.quiet) tell(counts_notice(sequence, c.method));
 
   const Interruption interruption; // before there is anything to be left on a disk
   Result_files files(c.output);
@@ -89,7 +90,7 @@ void run(const Command_line& c)
     files.commit();
   }
   if (c.run.verbose) tell(detection_report(detection) + log.report());
-  if (!c.run.quiet) tell(summary(c.output, sequence.number_of_frames(), detection, log.total_seconds()));
+  if (!c.run.quiet) tell(summary(c.output, animation, c.method, detection, log.total_seconds()));
 }
 
 } // namespace Detect_features

@@ -52,6 +52,7 @@ Model_format model_format(AMF::IO::File_format format)
   s.frames = o.clip_frames;
   s.frames_per_second = o.frames_per_second;
   s.there_and_back = o.there_and_back;
+  s.skip_bad_frames = o.skip_bad_frames;
   return s;
 }
 

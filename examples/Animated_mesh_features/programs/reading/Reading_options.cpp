@@ -91,6 +91,10 @@ void add_reading_options(Option_group& group, Reading_options& o)
       "repair", o.repair,
       "mend a mesh that is no oriented manifold: leave out collapsed and repeated faces, turn round what is "
       "oriented unlike its neighbours, take apart what meets in a vertex only, and tell each");
+  group.add_switch(
+      "skip-bad-frames", o.skip_bad_frames,
+      "leave out frames that are broken, without extent or with a vertex that is exploded, and bridge them in time: "
+      "numbers and times of frames stay. By default they are an error, but for a single frame without extent");
 }
 
 AMF::IO::Mesh_reading_options mesh_reading_options(const Reading_options& o)
@@ -102,6 +106,7 @@ AMF::IO::Mesh_reading_options mesh_reading_options(const Reading_options& o)
                     : o.weld == Weld::ALWAYS ? AMF::IO::Welding::ALWAYS
                                              : AMF::IO::Welding::AUTO;
   options.repair = o.repair;
+  options.skip_bad_frames = o.skip_bad_frames;
   return options;
 }
 

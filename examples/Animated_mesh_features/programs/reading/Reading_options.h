@@ -48,6 +48,7 @@ struct Reading_options
   bool triangulate = false; // cut faces with more than three corners
   bool repair = false;      // mend what is no oriented manifold
   Weld weld = Weld::AUTO;
+  bool skip_bad_frames = false; // bridge broken frames in time
 
   // of files with clips
   std::string clip; // by name or number; empty: the first

@@ -72,6 +72,7 @@ void add_reading_parameters(AMF::IO::Result_description& d, const Reading_option
   d.add("triangulate", o.triangulate);
   d.add("weld", name(o.weld));
   d.add("repair", o.repair);
+  d.add("skip_bad_frames", o.skip_bad_frames);
   d.add("fps", animation.frames_per_second());
   add_if(!animation.clips().empty(), d, "clip", animation.clip_name());
   add_if(animation.is_sampled() && (o.clip_frames || !o.frames_per_second), d, "frames",

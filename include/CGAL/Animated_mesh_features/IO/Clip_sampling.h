@@ -61,6 +61,9 @@ struct Clip_sampling
   /// after the last frame, play all but that one backwards: gestures are often stored as the way there only, and what
   /// merely grows to the end has no moment of its own.
   bool there_and_back = false;
+
+  /// leave out frames that are broken, and bridge them in time; by default they are an error. See `check_frames()`.
+  bool skip_bad_frames = false;
 };
 
 /*!

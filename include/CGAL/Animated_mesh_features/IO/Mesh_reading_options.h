@@ -46,6 +46,10 @@ struct Mesh_reading_options
   /// mend a mesh that is no oriented manifold (`repair_triangles()`). By default it is an error, since what is meant is not
   /// always what the repair makes of it.
   bool repair = false;
+
+  /// leave out frames that are broken, and bridge them in time (`check_frames()`). By default they are an error: what makes
+  /// one frame bad is often wrong with others, too.
+  bool skip_bad_frames = false;
 };
 
 } // namespace IO

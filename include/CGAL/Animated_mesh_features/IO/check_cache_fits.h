@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/Animation_file_data.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Point_set_index.h>
+#include <CGAL/Animated_mesh_features/IO/internal/frame_position.h>
 
 #include <algorithm>
 #include <array>
@@ -25,19 +26,6 @@ namespace Animated_mesh_features {
 namespace IO {
 
 namespace internal {
-
-typedef std::array<double, 3> Position;
-
-template <class FT>
-Position position(const Animation_file_data<FT>& data, std::size_t v, std::size_t f)
-{
-  return {{double(data.x(v, f)), double(data.y(v, f)), double(data.z(v, f))}};
-}
-
-inline double distance(const Position& a, const Position& b)
-{
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 
 // How the edges of a mesh compare with those of a frame.
 struct Edge_comparison

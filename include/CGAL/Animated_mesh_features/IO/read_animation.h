@@ -12,6 +12,7 @@
 #include <CGAL/Animated_mesh_features/IO/Memory_chooser.h>
 #include <CGAL/Animated_mesh_features/IO/Point_cache_reader.h>
 #include <CGAL/Animated_mesh_features/IO/check_cache_fits.h>
+#include <CGAL/Animated_mesh_features/IO/check_frames.h>
 #include <CGAL/Animated_mesh_features/IO/file_format.h>
 #include <CGAL/Animated_mesh_features/IO/frame_files_in_folder.h>
 #include <CGAL/Animated_mesh_features/IO/internal/read_frame_files.h>
@@ -46,7 +47,6 @@ void read_point_cache(const std::string& mesh_file, const std::string& cache_fil
   data.times = cache.times();
   cache.read_fields<ConcurrencyTag>(data.x, data.y, data.z,
                                     chosen_memory(choose_memory, data.mesh.points.size(), data.frames));
-  check_cache_fits(cache_file, data);
 }
 
 // The frames among the files of a folder or a list, in their order; tells what is left out or was read in an unusual way.
@@ -89,7 +89,7 @@ a file for each thread, a point cache some 0.4 MB a thread (see `Point_cache_rea
 \param options how mesh files are read.
 \param choose_memory see `Memory_chooser`.
 \throws Input_error if a file is missing or malformed (see `read_mesh()`, `Point_cache_reader`), mesh and cache do not
-fit (see `check_cache_fits()`), the frames differ in connectivity (the message names the first such triangle) or there are
+fit (see `check_cache_fits()`), a frame is broken (see `check_frames()`), the frames differ in connectivity (the message names the first such triangle) or there are
 less than two of them, or the inputs are none of the above.
 */
 template <class FT, class ConcurrencyTag = CGAL::Parallel_if_available_tag>
@@ -131,6 +131,8 @@ Animation_file_data<FT> read_animation(const std::vector<std::string>& inputs,
     internal::read_frame_files<ConcurrencyTag>(meshes, options, choose_memory, data);
   }
   if (data.frames < 2) throw Input_error(data.sources.back() + ": one frame is no animation");
+  check_frames<ConcurrencyTag>(options.skip_bad_frames, data);
+  if (!caches.empty()) check_cache_fits(caches[0], data);
   weld_animation(options.welding, options.repair, data);
   return data;
 }

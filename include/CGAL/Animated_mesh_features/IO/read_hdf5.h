@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/Clip_sampling.h>
 #include <CGAL/Animated_mesh_features/IO/Memory_chooser.h>
+#include <CGAL/Animated_mesh_features/IO/check_frames.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Field_filler.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Hdf5_file.h>
 #include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
@@ -163,12 +164,13 @@ positions, `N x 3 x F`, and one of triangles for all of them, `T x 3`, counted f
   order; empty: the first one with as many vertices as the triangles have
 \param faces the name of the dataset of triangles
 \param choose_memory see `Memory_chooser`
-\param options whether seams are closed and the surface is mended, see `weld_animation()`
+\param options whether broken frames are left out, see `check_frames()`, and whether seams are closed and the surface is
+  mended, see `weld_animation()`
 
 Whoever includes this header links with HDF5's C library. Linear in the size of the dataset; memory, besides the result,
 for 8 million numbers or a frame or vertex.
 
-\throws Input_error if the file cannot be read, or has not that layout.
+\throws Input_error if the file cannot be read, or has not that layout; see `check_frames()`, `weld_animation()`.
 \throws Option_error if there is no such sequence.
 */
 template <class FT>
@@ -200,6 +202,7 @@ read_hdf5(const std::string& file, const std::string& sequence = std::string(), 
   internal::read_hdf5_fields(hdf5, s, file, fields);
   for (std::size_t v = 0; v < s.vertices; ++v)
     data.mesh.points.push_back({{double(data.x(v, 0)), double(data.y(v, 0)), double(data.z(v, 0))}});
+  check_frames(options.skip_bad_frames, data);
   weld_animation(options.welding, options.repair, data);
   return data;
 }

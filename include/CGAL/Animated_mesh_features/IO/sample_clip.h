@@ -13,6 +13,7 @@
 #include <CGAL/Animated_mesh_features/IO/Coincident_vertices.h>
 #include <CGAL/Animated_mesh_features/IO/Keyframed_model.h>
 #include <CGAL/Animated_mesh_features/IO/Vertex_origins.h>
+#include <CGAL/Animated_mesh_features/IO/check_frames.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Clip_frames.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Field_filler.h>
 #include <CGAL/Animated_mesh_features/IO/internal/welding_remarks.h>
@@ -129,7 +130,7 @@ fewest that there can be, too, after one frame, so that what is much too large i
 \param choose_memory see `Memory_chooser`
 \throws Option_error see `find_clips()`, `joined_clip()` and `frame_times()`
 \throws Input_error see `Keyframed_model_evaluator`, `find_clips()`, `frame_times()`; a position is not
-finite; there are no triangles.
+finite; there are no triangles; a frame is broken, see `check_frames()`.
 */
 template <class FT, class ConcurrencyTag = CGAL::Parallel_if_available_tag>
 Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sampling& sampling,
@@ -165,6 +166,7 @@ Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sam
   for (std::size_t v = 0; v < n; ++v) source[v] = data.origins.file_vertices[data.origins.first[v]];
   for (std::size_t v : source) data.mesh.points.push_back(first_points[v]);
   internal::fill_frames<ConcurrencyTag>(frames, source, internal::chosen_memory(choose_memory, n, data.frames), data);
+  check_frames<ConcurrencyTag>(sampling.skip_bad_frames, data);
   return data;
 }
 
