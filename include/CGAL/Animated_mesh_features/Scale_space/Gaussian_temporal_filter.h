@@ -68,12 +68,14 @@ public:
     for (std::size_t l = 0; l < variances.size(); ++l) {
       internal::cancellation_point();
       const double before = (l > 0 ? variances[l - 1] : 0) / (frame_duration * frame_duration);
-      const double step = variances[l] / (frame_duration * frame_duration) - before;
+      const double whole_step = variances[l] / (frame_duration * frame_duration) - before;
+      const std::size_t parts = number_of_parts(whole_step);
+      const double step = whole_step / double(parts);
       const std::vector<double> weights = step_weights(step);
       const auto thinned_to = [&](double error) {
-        return thinned(weights, is_sparse ? largest_stride(before, step, error) : 1, error);
+        return thinned(weights, is_sparse ? largest_stride(before, step, error) : 1, error, parts);
       };
-      m_weights.push_back(number_of_frames > longest_full_row ? thinned_to(double_error) : Weights{1, weights});
+      m_weights.push_back(number_of_frames > longest_full_row ? thinned_to(double_error) : Weights{1, weights, 1});
       m_float_weights.push_back(thinned_to(float_error));
     }
   }
@@ -101,22 +103,20 @@ public:
     typedef typename internal::Scalar_of<T>::type Scalar;
     const Weights& k = std::is_same<Scalar, float>::value ? m_float_weights[l] : m_weights[l];
     const std::ptrdiff_t n = std::ptrdiff_t(m_frames), reach = k.reach();
-    // the row between its two mirror images; the weights reach at most once around
+    // the row between its mirror images
     static thread_local std::vector<T> mirrored;
     if (std::ptrdiff_t(mirrored.size()) < n + 2 * reach) mirrored.resize(std::size_t(n + 2 * reach));
     T* row = mirrored.data() + reach;
-    std::copy(in, in + n, row);
-    for (std::ptrdiff_t i = 0; i < reach; ++i) {
-      row[-1 - i] = in[i];
-      row[n + i] = in[n - 1 - i];
-    }
-    if constexpr (std::is_arithmetic<T>::value) {
-      convolve_row(row, n, k, out);
-    } else {
-      std::ptrdiff_t f = 0;
-      // several frames at a time: their sums do not wait for one another
-      for (; f + 4 <= n; f += 4) convolve<4>(row + f, k, out + f);
-      for (; f < n; ++f) convolve<1>(row + f, k, out + f);
+    for (std::size_t part = 0; part < k.parts; ++part) {
+      mirror(part == 0 ? in : out, n, reach, row);
+      if constexpr (std::is_arithmetic<T>::value) {
+        convolve_row(row, n, k, out);
+      } else {
+        std::ptrdiff_t f = 0;
+        // several frames at a time: their sums do not wait for one another
+        for (; f + 4 <= n; f += 4) convolve<4>(row + f, k, out + f);
+        for (; f < n; ++f) convolve<1>(row + f, k, out + f);
+      }
     }
   }
 
@@ -136,13 +136,30 @@ public:
   /// @}
 
 private:
-  // weights[i] is that of the frames i strides away, on either side.
+  // weights[i] is that of the frames i strides away, on either side; to be applied so many times.
   struct Weights
   {
     std::ptrdiff_t stride;
     std::vector<double> weights;
+    std::size_t parts;
     std::ptrdiff_t reach() const { return stride * std::ptrdiff_t(weights.size() - 1); }
   };
+
+  // A row of n frames and, on either side, as many of its periodic mirror images as the weights reach.
+  template <class T>
+  static void mirror(const T* in, std::ptrdiff_t n, std::ptrdiff_t reach, T* row)
+  {
+    std::copy(in, in + n, row);
+    for (std::ptrdiff_t first = 0; first < reach; first += n) {
+      const std::ptrdiff_t last = (std::min)(reach, first + n);
+      const bool is_turned = first / n % 2 == 0;
+      for (std::ptrdiff_t i = first; i < last; ++i) {
+        const std::ptrdiff_t j = i - first;
+        row[-1 - i] = in[is_turned ? j : n - 1 - j];
+        row[n + i] = in[is_turned ? n - 1 - j : j];
+      }
+    }
+  }
 
   // Values of single vertices: the registers hold successive frames.
   template <class FT>
@@ -199,14 +216,20 @@ private:
     return values;
   }
 
-  // The right half of the weights of a step on a circle of 2 F frames, where a row and its mirror image live; that of the
-  // opposite frame counts half, since it is reached from both sides.
+  // The right half of the weights of a step of variance u. For short rows on a circle of 2 F frames, where a row and its
+  // mirror image live; that of the opposite frame counts half, since it is reached from both sides.
   std::vector<double> step_weights(double u) const
   {
-    if (m_frames <= longest_full_row) return weights_by_frequencies(u);
-    std::vector<double> weights = internal::on_circle(internal::discrete_gaussian(u), m_frames);
-    if (weights.size() == m_frames + 1) weights.back() /= 2;
-    return weights;
+    return m_frames <= longest_full_row ? weights_by_frequencies(u) : internal::discrete_gaussian(u);
+  }
+
+  // Into how many equal steps one of long rows is divided, so that none reaches further than two rows: weights reach some
+  // nine standard deviations.
+  std::size_t number_of_parts(double u) const
+  {
+    if (m_frames <= longest_full_row) return 1;
+    const double widest = double(m_frames) / 5;
+    return (std::max)(std::size_t(1), std::size_t(std::ceil(u / (widest * widest))));
   }
 
   // Rows of up to that many frames are smoothed in double precision with a weight for every frame.
@@ -241,14 +264,14 @@ private:
   }
 
   // What a precision sees of the weights of a step: what is left out sums up to less than its rounding.
-  Weights thinned(const std::vector<double>& weights, std::ptrdiff_t stride, double error) const
+  Weights thinned(const std::vector<double>& weights, std::ptrdiff_t stride, double error, std::size_t parts) const
   {
     std::size_t size = weights.size();
     double tail = 0;
     while (size > 1 && tail + 2 * weights[size - 1] < 2 * error) tail += 2 * weights[--size];
-    // weights that reach around the circle do not meet with strides
-    if (m_frames <= longest_full_row ? size == weights.size() : size == m_frames + 1) stride = 1;
-    Weights result = {stride, {}};
+    // weights that were added up around the circle do not meet with strides
+    if (m_frames <= longest_full_row && size == weights.size()) stride = 1;
+    Weights result = {stride, {}, parts};
     for (std::size_t m = 0; m < size; m += std::size_t(stride)) result.weights.push_back(double(stride) * weights[m]);
     return result;
   }
