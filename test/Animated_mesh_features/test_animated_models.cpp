@@ -144,6 +144,16 @@ void test_evaluation_errors()
   m = square(std::numeric_limits<double>::infinity());
   CHECK_THROWS(Input_error, IO::sample_clip<double>(m, {}, "file"),
                "file, clip \"move\", frame 0: the position of vertex 0");
+  // a body that is scaled away at the end
+  m = square();
+  m.clips[0].channels.push_back(
+      channel(0, Model::Path::SCALE, track(Interpolation::LINEAR, {0, 0.5, 1}, {1, 1, 1, 1, 1, 1, 0, 0, 0}, 3)));
+  IO::Clip_sampling sampling;
+  sampling.frames = 9;
+  CHECK_THROWS(Input_error, IO::sample_clip<double>(m, sampling, "file.glb"), "file.glb, frame 8: has no extent");
+  sampling.skip_bad_frames = true;
+  const auto skipped = IO::sample_clip<double>(m, sampling, "file.glb");
+  CHECK(skipped.frames == 9 && skipped.notices.size() == 1 && skipped.x(0, 8) == skipped.x(0, 7));
 }
 
 std::vector<double> times(const std::vector<std::vector<double>>& keys, IO::Clip_sampling sampling = {})
@@ -583,6 +593,14 @@ void write_dataset(const std::string& file, const std::string& name, std::vector
   CHECK(H5Dwrite(d.id(), H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0);
 }
 
+// Coordinates of triangles that have an area.
+std::vector<float> scattered(std::size_t n)
+{
+  std::vector<float> values;
+  for (std::size_t i = 0; i < n; ++i) values.push_back(float(i * 7919 % 101));
+  return values;
+}
+
 // A dataset into which nothing was written, and which takes no place in the file.
 void announce_dataset(const std::string& file, const std::string& name, const std::vector<hsize_t>& extent)
 {
@@ -600,7 +618,7 @@ void test_hdf5_content()
   const Temporary_folder folder;
   const std::string file = folder.path("hollow.h5"), other = folder.path("other.h5");
   write_dataset(file, "faces", {1, 3}, {0, 1, 2});
-  write_dataset(file, "walk", {3, 3, 4}, std::vector<float>(36));
+  write_dataset(file, "walk", {3, 3, 4}, scattered(36));
   announce_dataset(file, "vast", {hsize_t(1) << 59, 3});
   announce_dataset(file, "no faces", {0, 3});
   announce_dataset(file, "nothing", {3, 3, 4});
@@ -613,7 +631,7 @@ void test_hdf5_content()
   CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "long"), "dataset long has no content");
   CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "no vertices"), "dataset no vertices is 0 x 3 x 4, neither");
 
-  write_dataset(other, "walk", {3, 3, 4}, std::vector<float>(36));
+  write_dataset(other, "walk", {3, 3, 4}, scattered(36));
   {
     using IO::internal::Hdf5_handle;
     const Hdf5_handle f(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
@@ -635,7 +653,7 @@ void test_hdf5()
   const Temporary_folder folder;
   const std::string file = folder.path("bodies.h5");
   const std::size_t n = 5, frames = 7;
-  const auto x = [](std::size_t v, std::size_t k, std::size_t f) { return float(v) + 10 * float(k) + 100 * float(f); };
+  const auto x = [](std::size_t v, std::size_t k, std::size_t f) { return float(v + v * v * k + 100 * k + 1000 * f); };
   std::vector<float> by_vertex, by_frame;
   for (std::size_t v = 0; v < n; ++v)
     for (std::size_t k = 0; k < 3; ++k)
@@ -648,8 +666,8 @@ void test_hdf5()
   write_dataset(file, "faces", {2, 3}, {0, 1, 2, 2, 1, 4});
   write_dataset(file, "group/walking", {frames, n, 3}, by_frame);
   write_dataset(file, "short", {4, 3, frames}, std::vector<float>(12 * frames));
-  write_dataset(file, "doubtful", {5, 5, 3}, std::vector<float>(75));
-  write_dataset(file, "unclear", {6, 3, 3}, std::vector<float>(54));
+  write_dataset(file, "doubtful", {5, 5, 3}, scattered(75));
+  write_dataset(file, "unclear", {6, 3, 3}, scattered(54));
   write_dataset(file, "bad", {n, 3, 2}, std::vector<float>(30, std::numeric_limits<float>::quiet_NaN()));
   write_dataset(file, "one", {n, 3, 1}, std::vector<float>(15));
   write_dataset(file, "other faces", {1, 3}, {0, 1, 2});
@@ -687,6 +705,16 @@ void test_hdf5()
   CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "short"), "dataset short is 4 x 3 x 7, neither");
   CHECK(IO::read_hdf5<double>(file, "doubtful").frames == 5); // 5 x 5 x 3 can be read in one way only
   CHECK(IO::read_hdf5<double>(file, "unclear").mesh.points.size() == 6);
+  // frames that cannot be true
+  write_dataset(file, "empty", {n, 3, frames}, std::vector<float>(3 * n * frames));
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "empty"), "bodies.h5, frame 0: has no extent");
+  for (std::size_t i = 0; i < 3 * n; ++i) by_vertex[i * frames] = 0;
+  write_dataset(file, "late", {n, 3, frames}, by_vertex);
+  CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "late"), "bodies.h5, frame 0: has no extent");
+  IO::Mesh_reading_options skip;
+  skip.skip_bad_frames = true;
+  const auto late = IO::read_hdf5<double>(file, "late", "faces", IO::Memory_chooser(), skip);
+  CHECK(late.y(3, 0) == x(3, 1, 1) && late.mesh.points[3][1] == x(3, 1, 1) && late.notices.size() == 1);
   CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "triples", "other faces"), "would be possible");
   CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "bad"), "dataset bad, frame 0, vertex 0");
   CHECK_THROWS(Input_error, IO::read_hdf5<double>(file, "one"), "one frame");

@@ -69,9 +69,9 @@ void check_ranges(const Sequence& sequence, const Method_options& o, const std::
   try {
     choose_fixed_levels(sequence, space_only);
   } catch (const AMF::Option_error& e) {
-    const std::string what = std::string(e.what()) + ": " + coarse_mesh(sequence.rest_shape(), o);
     if (!o.sigma.text.empty()) throw; // as it was typed
-    throw AMF::Input_error(file + ": the mesh is too coarse: " + what);
+    throw AMF::Input_error(file + ": the mesh is too coarse: " + e.what() + "; " +
+                           coarse_mesh(sequence.rest_shape(), o));
   }
   choose_fixed_levels(sequence, o); // what is wrong now was typed
 }
