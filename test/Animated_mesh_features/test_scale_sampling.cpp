@@ -277,7 +277,7 @@ void test_errors()
   CHECK_THROWS(Amf::Option_error,
                extreme(shape, 48, frame_duration, Filter_of_limit{infinity}, Amf::Gaussian_temporal_filter()),
                "is not finite");
-  CHECK(Amf::Every_smoothing_count::largest_count(infinity) == 1000000000);
+  CHECK_THROWS(Amf::Option_error, Amf::Every_smoothing_count::largest_count(infinity), "smoothing counts");
   CHECK_THROWS(Amf::Option_error, Amf::internal::number_of_passes(1, 0), "inf passes");
   CHECK_THROWS(Amf::Option_error, Amf::internal::number_of_passes(1e10, 1), "at most 1e+09 are made");
   CHECK(Amf::internal::number_of_passes(5, 2) == 3 && Amf::internal::number_of_passes(0, 2) == 0);
@@ -291,8 +291,8 @@ void test_errors()
   }
   // more levels than anybody can want, or than can be counted
   Amf::Fixed_ratio_sampling many;
-  many.tau = {1e-300, 1e300};
-  CHECK_THROWS(Amf::Option_error, levels(many), "the range of tau from 1e-300 to 1e+300 has ");
+  many.tau = {1e-300, 1};
+  CHECK_THROWS(Amf::Option_error, levels(many), "the range of tau from 1e-300 to 1 has ");
   many.tau = Amf::Scale_range();
   many.sigma_ratio = 1.001;
   CHECK_THROWS(Amf::Option_error, levels(many), "levels; at most 500 are made");
