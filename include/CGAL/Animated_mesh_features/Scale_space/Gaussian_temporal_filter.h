@@ -111,11 +111,12 @@ public:
       mirror(part == 0 ? in : out, n, reach, row);
       if constexpr (std::is_arithmetic<T>::value) {
         convolve_row(row, n, k, out);
+      } else if (k.stride == 1) {
+        convolve_every(std::integral_constant<std::ptrdiff_t, 1>(), row, n, k, out);
       } else {
-        std::ptrdiff_t f = 0;
-        // several frames at a time: their sums do not wait for one another
-        for (; f + 4 <= n; f += 4) convolve<4>(row + f, k, out + f);
-        for (; f < n; ++f) convolve<1>(row + f, k, out + f);
+        // what is weighted together is so far apart that frames in their order would not meet in a cache
+        for (std::ptrdiff_t first = 0; first < (std::min)(n, k.stride); ++first)
+          convolve_every(k.stride, row + first, n - first, k, out + first);
       }
     }
   }
@@ -179,22 +180,32 @@ private:
     if (i < size) sum += pair(i);
   }
 
-  // Values of several vertices: a register holds one frame of all of them.
-  template <int frames, class T>
-  static void convolve(const T* row, const Weights& k, T* out)
+  // Values of several vertices, in frames `spacing` apart.
+  template <class Spacing, class T>
+  static void convolve_every(Spacing spacing, const T* row, std::ptrdiff_t n, const Weights& k, T* out)
+  {
+    std::ptrdiff_t f = 0;
+    // several frames at a time: their sums do not wait for one another
+    for (; f + 3 * spacing < n; f += 4 * spacing) convolve<4>(spacing, row + f, k, out + f);
+    for (; f < n; f += spacing) convolve<1>(spacing, row + f, k, out + f);
+  }
+
+  // A register holds one frame of all vertices.
+  template <int frames, class Spacing, class T>
+  static void convolve(Spacing spacing, const T* row, const Weights& k, T* out)
   {
     typedef typename T::Scalar Scalar;
     T sum[frames];
     CGAL_ANIMATED_MESH_FEATURES_UNROLL
-    for (int f = 0; f < frames; ++f) sum[f] = row[f] * Scalar(k.weights[0]);
+    for (int f = 0; f < frames; ++f) sum[f] = row[f * spacing] * Scalar(k.weights[0]);
     for (std::size_t i = 1; i < k.weights.size(); ++i) {
       const std::ptrdiff_t m = std::ptrdiff_t(i) * k.stride;
       const Scalar weight = Scalar(k.weights[i]);
       CGAL_ANIMATED_MESH_FEATURES_UNROLL
-      for (int f = 0; f < frames; ++f) sum[f] = sum[f] + (row[f - m] + row[f + m]) * weight;
+      for (int f = 0; f < frames; ++f) sum[f] = sum[f] + (row[f * spacing - m] + row[f * spacing + m]) * weight;
     }
     CGAL_ANIMATED_MESH_FEATURES_UNROLL
-    for (int f = 0; f < frames; ++f) out[f] = sum[f];
+    for (int f = 0; f < frames; ++f) out[f * spacing] = sum[f];
   }
 
   // The same by a sum over all frequencies of the circle, F for each weight.
