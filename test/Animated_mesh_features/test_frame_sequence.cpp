@@ -381,6 +381,14 @@ void test_size(const Bumpy_sphere& sphere, const Mesh& mesh)
   CHECK(same_size());
   check_equal(found, expected);
 
+  // Lengths whose squares overflow say nothing of what deforms; what is then wrong is told by the detection.
+  for (const double large : {1e200, -1e308}) {
+    Frames overflowing = frames;
+    overflowing[3].back() = Point_3(large, large, large);
+    const Sequence sequence(passing, overflowing, sphere.frame_duration);
+    CHECK(sequence.rest_shape().measured_vertices().size() == sequence.number_of_vertices());
+  }
+
   // where nothing deforms, everything counts
   const Frames still(sphere.frames.size(), frames.front());
   features_of(passing, still, sphere.frame_duration, shape);

@@ -45,8 +45,8 @@ double largest_edge_change(const Rest_shape& shape, const Vertex_trajectories<FT
   return lengths > 0 ? std::sqrt(largest / lengths) : std::sqrt(largest);
 }
 
-// The vertices of the components that deform, ascending: all that belong to triangles, if there is but one component, or
-// if none deforms. What changes less than a hundredth of what changes most, or less than single precision tells, keeps its
+// The vertices of the components that deform, ascending: all that belong to triangles, if there is but one component, if
+// none deforms, or if a change is too large for a number. What changes less than a hundredth of what changes most, or less than single precision tells, keeps its
 // shape: ground, props, what is carried along.
 // Complexity: O(F E) time, for more than one component.
 template <class FT>
@@ -61,10 +61,12 @@ std::vector<Rest_shape::Index> deforming_vertices(const Rest_shape& shape, const
   if (components.size() > 1)
     for (std::size_t c = 0; c < components.size(); ++c)
       changes[c] = largest_edge_change(shape, trajectories, components[c]);
+  const bool are_numbers = std::all_of(changes.begin(), changes.end(), [](double c) { return std::isfinite(c); });
   const double largest = *std::max_element(changes.begin(), changes.end());
+  const bool are_all_alike = !are_numbers || largest <= least_change;
   std::vector<Rest_shape::Index> result;
   for (std::size_t c = 0; c < components.size(); ++c)
-    if (largest <= least_change || (changes[c] > least_change && changes[c] > least_share * largest))
+    if (are_all_alike || (changes[c] > least_change && changes[c] > least_share * largest))
       result.insert(result.end(), components[c].vertices.begin(), components[c].vertices.end());
   std::sort(result.begin(), result.end());
   return result;
