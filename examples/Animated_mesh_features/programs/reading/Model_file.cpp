@@ -77,7 +77,7 @@ Model_format model_format(const std::vector<std::string>& inputs)
 }
 
 AMF::IO::Animation_file_data<double> read_model_file(const Reading_options& o, Model_format format,
-                                                     const AMF::IO::Memory_chooser& choose_memory)
+                                                     [[maybe_unused]] const AMF::IO::Memory_chooser& choose_memory)
 {
   const std::string& file = o.inputs.front();
   AMF::IO::check_readable(file);
