@@ -64,18 +64,27 @@ private:
     for (Surface_plan::Index j : triangle.joints) {
       if (j == Surface_plan::no_joint) continue;
       const Surface_plan::Joint& joint = plan.joints[j];
-      // w R_right T^T for the left one, w R_left T for the right one
-      const bool is_left = joint.left == t;
-      const double* const r = frames[is_left ? joint.right : joint.left].data();
-      const double* const transition = joint.transition.data();
-      const std::size_t row = is_left ? 3 : 1, column = is_left ? 1 : 3;
-      for (std::size_t c = 0; c < 3; ++c)
-        for (std::size_t k = 0; k < 3; ++k) {
-          const double factor = joint.weight * transition[k * row + c * column];
-          for (std::size_t l = 0; l < 3; ++l) m[3 * c + l] += r[3 * k + l] * factor;
-        }
+      if (joint.left == t)
+        add<3, 1>(frames[joint.right].data(), joint, m); // w R_right T^T
+      else
+        add<1, 3>(frames[joint.left].data(), joint, m); // w R_left T
     }
     for (std::size_t k = 0; k < 9; ++k) group[k][i] = m[k];
+  }
+
+  template <std::size_t row, std::size_t column>
+  static CGAL_ANIMATED_MESH_FEATURES_INLINE void add(const double* r, const Surface_plan::Joint& joint, double (&m)[9])
+  {
+    const double* const transition = joint.transition.data();
+    CGAL_ANIMATED_MESH_FEATURES_UNROLL
+    for (std::size_t c = 0; c < 3; ++c) {
+      CGAL_ANIMATED_MESH_FEATURES_UNROLL
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double factor = joint.weight * transition[k * row + c * column];
+        CGAL_ANIMATED_MESH_FEATURES_UNROLL
+        for (std::size_t l = 0; l < 3; ++l) m[3 * c + l] += r[3 * k + l] * factor;
+      }
+    }
   }
 };
 

@@ -160,7 +160,7 @@ private:
   // Twice each frame, with its neighbours as they are by then, hence E cannot grow: the positions take as long.
   void fit_frames()
   {
-    const int sweeps = 2;
+    const int sweeps = 1;
     each(m_pulls.size(), [&](std::size_t t) { m_pulls[t] = frame_pull(m_plan.triangles[t], m_state.points); });
     const Instruction_set instructions = widest_instruction_set();
     for (int i = 0; i < sweeps; ++i)
