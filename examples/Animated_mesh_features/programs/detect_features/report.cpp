@@ -109,8 +109,8 @@ std::string summary(const Programs::Output_options& output, const Programs::Anim
 {
   std::ostringstream os;
   os << counted(detection.features.size(), "feature", "features") << " in "
-     << counted(animation.sequence().number_of_frames(), "frame", "frames") << ", computed in " << std::fixed
-     << std::setprecision(1) << seconds << " s" << best(animation, method, detection) << list_of_files(output) << '\n';
+     << counted(animation.sequence().number_of_frames(), "frame", "frames") << " against " << animation.rest().name
+     << ", computed in " << std::fixed << std::setprecision(1) << seconds << " s" << best(animation, method, detection) << list_of_files(output) << '\n';
   return os.str();
 }
 
