@@ -78,4 +78,20 @@ Rest_comparison compare_with_frames(const Points& points, const Sequence& sequen
   return result;
 }
 
+bool begins_still(const Sequence& sequence)
+{
+  const double still = 0.02;
+  const AMF::Vertex_trajectories<FT>& t = sequence.trajectories();
+  std::vector<double> changes(sequence.number_of_frames() - 1, 0);
+  for (const AMF::Rest_shape::Edge& e : sequence.rest_shape().edges()) {
+    double before = 0;
+    for (std::size_t f = 0; f <= changes.size(); ++f) {
+      const double length = (t.point(e.target, f) - t.point(e.source, f)).norm();
+      if (f > 0) changes[f - 1] += (length - before) * (length - before);
+      before = length;
+    }
+  }
+  return changes.front() <= still * still * *std::max_element(changes.begin(), changes.end());
+}
+
 } // namespace Programs

@@ -34,6 +34,10 @@ struct Rest_comparison
 // O(E F) time.
 Rest_comparison compare_with_frames(const Points& points, const Sequence& sequence, bool scaled);
 
+// Whether the animation begins at rest: edges change less between the first two frames than by a fiftieth of what they
+// change most between any two successive ones. O(E F) time.
+bool begins_still(const Sequence& sequence);
+
 } // namespace Programs
 
 #endif // PROGRAMS_READING_REST_COMPARISON_H
