@@ -83,7 +83,6 @@ void add_reading_parameters(AMF::IO::Result_description& d, const Reading_option
   add_if(!o.faces_dataset.empty(), d, "faces", o.faces_dataset);
   const Taken_rest& rest = animation.rest();
   d.add("rest", rest.text);
-  add_if(!rest.reason.empty(), d, "rest_reason", rest.reason);
   d.add("rescale_rest", rest.is_scaled);
   d.add("rest_factor", rest.factor);
 }

@@ -118,7 +118,7 @@ Taken_rest take_file(const Reading_options& o, const File_data& data, Sequence& 
 // What must be known of a shape that nobody chose.
 void add_notices(const Own_shape& own, const Rest_comparison& c, std::vector<std::string>& notices)
 {
-  const double much = 0.25; // bodies that bend their limbs change by 0.03 to 0.15
+  const double much = 0.2; // of bodies and their own shape at rest 0.01 to 0.16, of one body and the motion of another 0.21
   std::ostringstream os;
   os.precision(3);
   if (own.taken.is_scaled)
