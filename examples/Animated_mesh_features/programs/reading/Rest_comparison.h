@@ -29,13 +29,14 @@ struct Rest_comparison
   double ratio = 1;      // median of the lengths in the middle frame over those of the shape; 0: no edge has a length
   std::size_t frame = 0; // the one that is closest, once the shape is scaled
   double change = 0;     // of its edges there, relative: sqrt(sum (l - l0)^2 / sum l0^2)
+  double spread = 0;     // the largest such change between that frame and another one
 };
 
-// O(E F) time.
+// By up to 30,000 edges: of a larger mesh every second, third...
 Rest_comparison compare_with_frames(const Points& points, const Sequence& sequence, bool scaled);
 
 // Whether the animation begins at rest: edges change less between the first two frames than by a fiftieth of what they
-// change most between any two successive ones. O(E F) time.
+// change most between any two successive ones. By some edges, as above.
 bool begins_still(const Sequence& sequence);
 
 } // namespace Programs

@@ -118,17 +118,20 @@ Taken_rest take_file(const Reading_options& o, const File_data& data, Sequence& 
 // What must be known of a shape that nobody chose.
 void add_notices(const Own_shape& own, const Rest_comparison& c, std::vector<std::string>& notices)
 {
-  const double much = 0.2; // of bodies and their own shape at rest 0.01 to 0.16, of one body and the motion of another 0.21
+  // of bodies and their own shape at rest 0.01 to 0.16, of one body and the motion of another 0.21
+  const double much = 0.2;
+  const bool is_other_body = c.change > much, is_other_pose = c.change > c.spread && c.spread > 0;
+  if (!own.taken.is_scaled && !is_other_body && !is_other_pose) return;
   std::ostringstream os;
   os.precision(3);
+  os << own.taken.name << ", the rest shape, is ";
   if (own.taken.is_scaled)
-    os << own.taken.name << ", the rest shape, is in another unit: it is scaled by " << c.ratio
-       << ", the median ratio of its edges to those of the frames";
-  if (c.change > much)
-    os << (own.taken.is_scaled ? "; also, " : "") << own.taken.name
-       << (own.taken.is_scaled ? "" : ", the rest shape,") << " is unlike all frames: its edges differ by "
-       << 100 * c.change << " % even from those of frame " << c.frame;
-  if (os.str().empty()) return;
+    os << "in another unit: it is scaled by " << c.ratio << ", the median ratio of the frames' edges to its own";
+  if (is_other_body || is_other_pose) {
+    os << (own.taken.is_scaled ? "; and it is " : "") << "unlike all frames: its edges differ by " << 100 * c.change
+       << " % even from those of frame " << c.frame;
+    if (is_other_pose) os << ", other frames by " << 100 * c.spread << " % at most, so that few features may stand out";
+  }
   os << "; --rest average takes the average of all frames instead, --rest FILE another mesh";
   notices.push_back(os.str());
 }
