@@ -59,7 +59,7 @@ angles by 0.2 degrees, root mean square, less than a fifth of what any surface h
 
 Complexity: `O(F N)` for the averages; two sparse Cholesky factorisations, of as many rows as there are faces and vertices,
 with `O(N log N)` entries, in `O(N^1.5)` time; and some 15 to 40 rounds of `O(N log N)`.
-About 0.15 s for 8,400 vertices and 48 frames on two cores, 0.7 s for 33,700; TIMEBIG.
+About 0.15 s for 8,400 vertices and 48 frames, 0.9 s for 33,700, 6 s for 135,000 and 10 frames, on one and a half cores of two.
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class FT>
 std::vector<Rest_shape::Point> canonical_shape(const Rest_shape& connectivity, const Vertex_trajectories<FT>& trajectories,

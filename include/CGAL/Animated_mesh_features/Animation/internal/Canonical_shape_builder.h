@@ -18,8 +18,6 @@
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Stage.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
 
-#include <CGAL/tags.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -109,7 +107,7 @@ private:
   {
     if (m_components[c].triangles.empty()) return take_mean_position(m_components[c].vertices[0]);
     const Start s = start(c);
-    Surface_assembly<CGAL::Sequential_tag> assembly(s.plan, s.points, s.normals);
+    Surface_assembly<ConcurrencyTag> assembly(s.plan, s.points, s.normals, false);
     for (std::size_t i = 0; i < assembly.number_of_preparations; ++i) assembly.prepare(i);
     assembly.begin();
     while (assembly.round())
@@ -121,7 +119,7 @@ private:
   {
     const auto share = [&](double a, double b) { return loop((1 - a) * from + a * to, (1 - b) * from + b * to); };
     const Start s = start(c);
-    Surface_assembly<ConcurrencyTag> assembly(s.plan, s.points, s.normals);
+    Surface_assembly<ConcurrencyTag> assembly(s.plan, s.points, s.normals, true);
     const double prepared = 0.3, begun = 0.4;
     share(0, prepared)(assembly.number_of_preparations, [&](std::size_t i) { assembly.prepare(i); });
     share(prepared, begun)(1, [&](std::size_t) { assembly.begin(); });
@@ -129,8 +127,10 @@ private:
     const double usual_rounds = 15;
     const auto after = [&](double rounds) { return begun + (1 - begun) * rounds / (rounds + usual_rounds); };
     bool goes_on = true;
-    for (double i = 0; goes_on; i += 1)
+    for (double i = 0;; i += 1) {
       share(after(i), after(i + 1))(1, [&](std::size_t) { goes_on = assembly.round(); });
+      if (!goes_on) break;
+    }
     share(1, 1).finish();
     place(c, assembly.points());
   }

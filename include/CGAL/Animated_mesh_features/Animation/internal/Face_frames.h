@@ -17,6 +17,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -56,27 +57,31 @@ inline Eigen::Matrix3d rotation_about(const Eigen::Vector3d& v)
   return angle > 0 ? Eigen::AngleAxisd(angle, v / angle).toRotationMatrix() : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
 }
 
-// A loop over chunks of what takes a moment, which tells nobody how far it is.
+// A loop over chunks of what takes a moment, which tells nobody how far it is; by one thread, if there is too little to be
+// divided.
 template <class ConcurrencyTag>
 struct Short_loop
 {
+  bool is_divided = true;
+
   template <class Task>
   void operator()(std::size_t n, const Task& task) const
   {
     cancellation_point();
-    parallel_for<ConcurrencyTag>(0, n, task);
+    if (is_divided)
+      parallel_for<ConcurrencyTag>(0, n, task);
+    else
+      for (std::size_t i = 0; i < n; ++i) task(i);
   }
 };
 
 // The sum of task(first, last) over chunks, in their order.
-template <class ConcurrencyTag, class Task>
-double sum_in_chunks(std::size_t n, const Task& task)
+template <class Loop, class Task>
+double sum_in_chunks(std::size_t n, const Loop& loop, const Task& task)
 {
-  std::vector<double> sums;
   constexpr std::size_t chunk = 1024;
-  sums.resize((n + chunk - 1) / chunk);
-  Short_loop<ConcurrencyTag>()(sums.size(),
-                               [&](std::size_t i) { sums[i] = task(i * chunk, (std::min)(n, (i + 1) * chunk)); });
+  std::vector<double> sums((n + chunk - 1) / chunk);
+  loop(sums.size(), [&](std::size_t i) { sums[i] = task(i * chunk, (std::min)(n, (i + 1) * chunk)); });
   double sum = 0;
   for (double s : sums) sum += s;
   return sum;
@@ -89,12 +94,13 @@ double sum_in_chunks(std::size_t n, const Task& task)
 // a Laplacian on the graph of triangles, the same in each of a few Gauss-Newton steps; V. M. Govindu, Lie-algebraic
 // averaging for globally consistent motion estimation, CVPR 2004. Errors along long limbs, which iterations from
 // triangle to triangle would need as many rounds for as there are triangles along it, are gone after two or three.
-template <class ConcurrencyTag>
+template <class Loop>
 class Face_frames
 {
 public:
-  Face_frames(const Surface_plan& plan, const std::vector<Eigen::Vector3d>& points)
+  Face_frames(const Surface_plan& plan, const std::vector<Eigen::Vector3d>& points, const Loop& loop)
     : m_plan(plan)
+    , m_loop(loop)
     , m_graph(joint_ends(plan), joint_weights(plan), shift(plan), centers(plan, points))
     , m_turns(m_graph.symbolic(), 3)
     , m_errors(plan.joints.size())
@@ -163,7 +169,7 @@ private:
   // By which turn each joint does not fit, times its weight; returns the sum that is minimised.
   double measure(const std::vector<Eigen::Matrix3d>& frames)
   {
-    return sum_in_chunks<ConcurrencyTag>(m_plan.joints.size(), [&](std::size_t first, std::size_t last) {
+    return sum_in_chunks(m_plan.joints.size(), m_loop, [&](std::size_t first, std::size_t last) {
       double sum = 0;
       for (std::size_t i = first; i < last; ++i) {
         const Surface_plan::Joint& j = m_plan.joints[i];
@@ -179,7 +185,7 @@ private:
   void find_turns()
   {
     const auto rows = m_turns.rows();
-    run_in_chunks(m_plan.triangles.size(), Short_loop<ConcurrencyTag>(), [&](std::size_t first, std::size_t last) {
+    run_in_chunks(m_plan.triangles.size(), m_loop, [&](std::size_t first, std::size_t last) {
       for (std::size_t t = first; t < last; ++t) {
         Eigen::Vector3d sum = Eigen::Vector3d::Zero();
         for (Index i : m_plan.triangles[t].joints) {
@@ -198,7 +204,7 @@ private:
   void turn(const std::vector<Eigen::Matrix3d>& frames, double share, std::vector<Eigen::Matrix3d>& turned) const
   {
     const auto rows = m_turns.rows();
-    const double not_finite = sum_in_chunks<ConcurrencyTag>(frames.size(), [&](std::size_t first, std::size_t last) {
+    const double not_finite = sum_in_chunks(frames.size(), m_loop, [&](std::size_t first, std::size_t last) {
       double count = 0;
       for (std::size_t t = first; t < last; ++t) {
         const Eigen::Vector3d v(rows[t][0], rows[t][1], rows[t][2]);
@@ -211,6 +217,7 @@ private:
   }
 
   const Surface_plan& m_plan;
+  Loop m_loop;
   Weighted_graph m_graph;
   Right_hand_sides<double> m_turns;
   std::vector<Eigen::Vector3d> m_errors; // of joints

@@ -44,6 +44,7 @@ template <class ConcurrencyTag>
 class Surface_assembly
 {
   typedef Surface_plan::Index Index;
+  typedef Short_loop<ConcurrencyTag> Loop;
   struct State
   {
     std::vector<Eigen::Matrix3d> frames;
@@ -51,10 +52,12 @@ class Surface_assembly
   };
 
 public:
-  // Starts with the frames of `points`, whose triangles have the given normals, in the order of the plan.
+  // Starts with the frames of `points`, whose triangles have the given normals, in the order of the plan. `is_divided`:
+  // whether several threads work on it.
   Surface_assembly(const Surface_plan& plan, const std::vector<Eigen::Vector3d>& points,
-                   const std::vector<Eigen::Vector3d>& normals)
+                   const std::vector<Eigen::Vector3d>& normals, bool is_divided)
     : m_plan(plan)
+    , m_loop{is_divided}
   {
     m_state.points = points;
     m_state.frames.resize(plan.triangles.size());
@@ -68,7 +71,7 @@ public:
   void prepare(std::size_t i)
   {
     if (i == 0)
-      m_face_frames = std::make_unique<Face_frames<ConcurrencyTag>>(m_plan, m_state.points);
+      m_face_frames = std::make_unique<Face_frames<Loop>>(m_plan, m_state.points, m_loop);
     else
       prepare_positions();
   }
@@ -166,7 +169,7 @@ private:
     for (int i = 0; i < sweeps; ++i)
       for (std::size_t c = 0; c + 1 < m_plan.colours.size(); ++c) {
         const std::size_t begin = m_plan.colours[c], n = m_plan.colours[c + 1] - begin;
-        run_in_chunks(n, Short_loop<ConcurrencyTag>(), [&](std::size_t first, std::size_t last) {
+        run_in_chunks(n, m_loop, [&](std::size_t first, std::size_t last) {
           Frame_sweep sweep{m_plan, m_pulls, m_state.frames, begin + first, begin + last};
           run_reproducibly<double>(instructions, sweep);
         });
@@ -177,7 +180,7 @@ private:
   double error() const
   {
     const State& s = m_state;
-    double e = sum_in_chunks<ConcurrencyTag>(m_plan.joints.size(), [&](std::size_t first, std::size_t last) {
+    double e = sum_in_chunks(m_plan.joints.size(), m_loop, [&](std::size_t first, std::size_t last) {
       double sum = 0;
       for (std::size_t i = first; i < last; ++i) {
         const Surface_plan::Joint& j = m_plan.joints[i];
@@ -185,7 +188,7 @@ private:
       }
       return sum;
     });
-    e += sum_in_chunks<ConcurrencyTag>(m_plan.triangles.size(), [&](std::size_t first, std::size_t last) {
+    e += sum_in_chunks(m_plan.triangles.size(), m_loop, [&](std::size_t first, std::size_t last) {
       double sum = 0;
       for (std::size_t i = first; i < last; ++i) {
         const Surface_plan::Triangle& t = m_plan.triangles[i];
@@ -212,17 +215,18 @@ private:
   }
 
   template <class Task>
-  static void each(std::size_t n, const Task& task)
+  void each(std::size_t n, const Task& task) const
   {
-    run_in_chunks(n, Short_loop<ConcurrencyTag>(), [&](std::size_t first, std::size_t last) {
+    run_in_chunks(n, m_loop, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) task(i);
     });
   }
 
   const Surface_plan& m_plan;
+  Loop m_loop;
   State m_state, m_now, m_before; // as tried; the best one; the one before it
   std::vector<Frame_pull> m_pulls;
-  std::unique_ptr<Face_frames<ConcurrencyTag>> m_face_frames;
+  std::unique_ptr<Face_frames<Loop>> m_face_frames;
   std::unique_ptr<Weighted_graph> m_graph; // of the vertices
   std::unique_ptr<Right_hand_sides<double>> m_sides;
   double m_error = 0, m_speed = 1;

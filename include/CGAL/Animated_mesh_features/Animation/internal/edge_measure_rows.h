@@ -105,7 +105,7 @@ private:
   }
 
   // One frame after the other, for the sake of those in which a triangle has no height.
-  void measure_flat(std::size_t e)
+  CGAL_ANIMATED_MESH_FEATURES_NO_INLINE void measure_flat(std::size_t e)
   {
     for (std::size_t f = 0; f < m_trajectories.number_of_frames(); ++f) {
       const Eigen::Vector2d angle = Surface_frame<FT>(m_shape, m_adjacency, m_trajectories, f).angle(e);

@@ -44,7 +44,7 @@ inline void jacobi_rotation(double (&a)[4][4], double (&v)[4][4], int p, int q)
 // The rotation R that maximises trace(R^T m), hence is nearest to `m`, whatever m is: the eigenvector of the largest
 // eigenvalue of a symmetric matrix is its quaternion; B. K. P. Horn, Closed-form solution of absolute orientation using
 // unit quaternions, J. Opt. Soc. Am. A 4(4), 1987. Never a reflection.
-inline Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& m)
+CGAL_ANIMATED_MESH_FEATURES_NO_INLINE inline Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& m)
 {
   const int most_sweeps = 20; // convergence is quadratic: 4 to 6 are enough
   double a[4][4] = {{m(0, 0) + m(1, 1) + m(2, 2), m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1)},
