@@ -83,7 +83,8 @@ public:
     const std::size_t n = shape.number_of_vertices();
     if (field.number_of_rows() != n || areas.size() != n)
       throw Option_error("the field has " + std::to_string(field.number_of_rows()) + " rows, there are " +
-                         std::to_string(areas.size()) + " areas, and the rest shape has " + std::to_string(n) + " vertices");
+                         std::to_string(areas.size()) + " areas, and the rest shape has " + std::to_string(n) +
+                         " vertices");
     if (!(frame_duration > 0)) throw Option_error("the time between two frames must be positive");
   }
 
@@ -197,8 +198,8 @@ private:
     const double rounding = 64 * std::numeric_limits<double>::epsilon() * mean; // of a field that is constant
     if (!(variance > rounding * rounding)) return 0;
     // of a product of two factors, without the difference of squares in which digits would cancel
-    const double of_gaussian = m_in_space.variance * m_in_time.mean_of_squares() +
-                               m_in_space.mean * m_in_space.mean * m_in_time.variance;
+    const double of_gaussian =
+        m_in_space.variance * m_in_time.mean_of_squares() + m_in_space.mean * m_in_space.mean * m_in_time.variance;
     if (!(of_gaussian > 0)) return 0;
     return (std::max)(-1., (std::min)(1., covariance / (std::sqrt(variance) * std::sqrt(of_gaussian))));
   }
@@ -224,8 +225,8 @@ measures a single feature; for several, a `Feature_fit_measure` saves what they 
 \throw Option_error, Input_error as `Feature_fit_measure` does.
 */
 template <class FT>
-Feature_fit feature_fit(const Rest_shape& shape, const std::vector<double>& areas, const Spatio_temporal_field<FT>& field,
-                        double frame_duration, const Feature_point& feature)
+Feature_fit feature_fit(const Rest_shape& shape, const std::vector<double>& areas,
+                        const Spatio_temporal_field<FT>& field, double frame_duration, const Feature_point& feature)
 {
   return Feature_fit_measure<FT>(shape, areas, field, frame_duration)(feature);
 }

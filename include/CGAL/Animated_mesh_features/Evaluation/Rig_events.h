@@ -42,12 +42,12 @@ Which moments count, and what is near one of them.
 */
 struct Rig_options
 {
-  double least_prominence = 10;      ///< an event has at least this prominence (degrees): more than wavering
-  double least_angle = 10;           ///< a feature may be at an event of at least this angle (degrees)
-  double least_recalled_angle = 20;  ///< an event of at least this angle (degrees) should have a feature
-  double largest_distance = 0.02;    ///< of a feature from a region, a share of the size; at most its \f$\sigma\f$
-  double frames = 1.5;               ///< a feature may be so many frames early or late, or
-  double share_of_tau = 0.5;         ///< this share of its \f$\tau\f$, if that is more
+  double least_prominence = 10;     ///< an event has at least this prominence (degrees): more than wavering
+  double least_angle = 10;          ///< a feature may be at an event of at least this angle (degrees)
+  double least_recalled_angle = 20; ///< an event of at least this angle (degrees) should have a feature
+  double largest_distance = 0.02;   ///< of a feature from a region, a share of the size; at most its \f$\sigma\f$
+  double frames = 1.5;              ///< a feature may be so many frames early or late, or
+  double share_of_tau = 0.5;        ///< this share of its \f$\tau\f$, if that is more
 };
 
 /*!
@@ -70,9 +70,9 @@ What features and events have to do with one another.
 */
 struct Rig_matches
 {
-  std::vector<double> found;            ///< of each event of `Rig_events::recalled()` whether a feature is at it: 1 or 0
-  std::vector<double> at_event;         ///< of each feature whether it is at an event: 1 or 0
-  std::vector<std::size_t> of_joint;    ///< of each joint, how many features are at an event of it
+  std::vector<double> found;         ///< of each event of `Rig_events::recalled()` whether a feature is at it: 1 or 0
+  std::vector<double> at_event;      ///< of each feature whether it is at an event: 1 or 0
+  std::vector<std::size_t> of_joint; ///< of each joint, how many features are at an event of it
 };
 
 /*!
@@ -82,7 +82,7 @@ The extreme bends of a skeleton's joints as truth about an animation: a feature 
 it is bent most. A feature is at an event if its vertex is near the joint's region and its time near the event's; see
 `Rig_options`.
 
-Events in the first two frames or in the last three do not count, since no detector could find them.
+Events in the first two frames or in the last two do not count, since no detector could find them.
 */
 class Rig_events
 {
