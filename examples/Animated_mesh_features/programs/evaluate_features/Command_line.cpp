@@ -98,6 +98,14 @@ Exit codes: 0 success, 1 failure, 2 wrong usage, 3 unusable input, 4 output cann
   return os.str();
 }
 
+Report::Json json_of(const Programs::Curves& curves)
+{
+  Report::Json json = {{"x", curves.x_name}, {"y", curves.y_name}, {"of", Report::Json::array()}};
+  for (const Programs::Curve& c : curves.curves)
+    json["of"].push_back({{"name", c.name}, {"is_chance", c.is_chance}, {"x", c.x}, {"y", c.y}});
+  return json;
+}
+
 // Both files are complete before either takes its place.
 void write(const Result& result, const Common_options& o)
 {
@@ -128,7 +136,8 @@ void run(Command& command, const Common_options& o)
   if (!o.plot.empty()) outputs.push_back(o.plot);
   Programs::check_outputs(outputs, command.input_files());
   const Programs::Interruption interruption;
-  const Result result = command.run(o);
+  Result result = command.run(o);
+  if (result.curves) result.report.json["curves"] = json_of(*result.curves);
   Programs::Interruption::check();
   write(result, o);
   if (!o.quiet && o.json != "-" && o.plot != "-") std::cout << Programs::terminal_text(text_of(result.report)) << std::flush;

@@ -10,12 +10,16 @@
 #include <CGAL/Animated_mesh_features/Animation/Bounded_dijkstra.h>
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
-#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Thread_local.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -42,6 +46,22 @@ inline void check_vertices(const std::vector<Feature_on_shape>& features, const 
     if (f.vertex >= shape.number_of_vertices())
       throw Input_error("a feature is at vertex " + std::to_string(f.vertex) + ", the rest shape has " +
                         std::to_string(shape.number_of_vertices()) + " vertices");
+}
+
+// From the vertex to the nearest of the partners; infinity if there is none on its component.
+inline double distance_to_nearest(const Rest_shape& shape, Rest_shape::Index vertex,
+                                  const std::vector<Rest_shape::Index>& partners, Bounded_dijkstra& paths)
+{
+  const double infinity = Bounded_dijkstra::infinity;
+  double nearest = infinity;
+  // Each run reaches some four times as many vertices as the one before: the last one is most of the work.
+  double limit = 4 * shape.mean_edge_length();
+  for (bool is_last = partners.empty(); !is_last && nearest == infinity; limit *= 2) {
+    is_last = !(limit < 4 * shape.bounding_box_diagonal());
+    paths.run(std::array<Rest_shape::Index, 1>{{vertex}}, is_last ? infinity : limit);
+    for (Rest_shape::Index v : partners) nearest = (std::min)(nearest, paths.distance(v));
+  }
+  return nearest;
 }
 
 } // namespace internal
@@ -83,32 +103,26 @@ the same among those others only that are at the same time.
 For each feature paths are followed outwards until one of them is reached, so that a feature near its partner costs little;
 one that has none costs \f$O(N \log N)\f$.
 
+\tparam ConcurrencyTag on how many threads; the result is the same.
 \param shape, features, others as above.
 \param time the largest distance in time (s).
 */
-inline std::vector<double> matching_errors(const Rest_shape& shape, const std::vector<Feature_on_shape>& features,
-                                           const std::vector<Feature_on_shape>& others, double time)
+template <class ConcurrencyTag = CGAL::Parallel_if_available_tag>
+std::vector<double> matching_errors(const Rest_shape& shape, const std::vector<Feature_on_shape>& features,
+                                    const std::vector<Feature_on_shape>& others, double time)
 {
   internal::check_vertices(features, shape);
   internal::check_vertices(others, shape);
-  const double infinity = internal::Bounded_dijkstra::infinity;
-  internal::Bounded_dijkstra paths(shape);
-  std::vector<double> errors;
-  for (const Feature_on_shape& f : features) {
-    internal::cancellation_point();
+  std::vector<double> errors(features.size());
+  internal::Thread_local<internal::Bounded_dijkstra> workspaces;
+  parallel_for<ConcurrencyTag>(0, features.size(), [&](std::size_t i) {
+    internal::Bounded_dijkstra& paths =
+        workspaces.get([&] { return std::make_unique<internal::Bounded_dijkstra>(shape); });
     std::vector<Rest_shape::Index> partners;
     for (const Feature_on_shape& o : others)
-      if (std::abs(o.time - f.time) <= time) partners.push_back(o.vertex);
-    double nearest = infinity;
-    // Each run reaches some four times as many vertices as the one before: the last one is most of the work.
-    double limit = 4 * shape.mean_edge_length();
-    for (bool is_last = partners.empty(); !is_last && nearest == infinity; limit *= 2) {
-      is_last = !(limit < 4 * shape.bounding_box_diagonal());
-      paths.run(std::array<Rest_shape::Index, 1>{{f.vertex}}, is_last ? infinity : limit);
-      for (Rest_shape::Index v : partners) nearest = (std::min)(nearest, paths.distance(v));
-    }
-    errors.push_back(nearest);
-  }
+      if (std::abs(o.time - features[i].time) <= time) partners.push_back(o.vertex);
+    errors[i] = internal::distance_to_nearest(shape, features[i].vertex, partners, paths);
+  });
   return errors;
 }
 
