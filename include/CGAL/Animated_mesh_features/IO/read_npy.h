@@ -115,7 +115,8 @@ Spatio_temporal_field<FT> read_npy(const std::string& path)
   std::size_t rows = 0, columns = 0;
   header.read_shape(rows, columns);
   const std::size_t bytes = content.size() - header.begin(), size = is_single ? 4 : 8;
-  if (bytes % size != 0 || (columns == 0 ? bytes != 0 : bytes / size / columns != rows || bytes / size % columns != 0))
+  if (columns == 0) header.fail("has no frames");
+  if (bytes % size != 0 || bytes / size % columns != 0 || bytes / size / columns != rows)
     header.fail("has " + std::to_string(bytes) + " bytes of values, not " + std::to_string(rows) + " x " +
                 std::to_string(columns));
   Spatio_temporal_field<FT> field(rows, columns);
