@@ -26,15 +26,18 @@ void write_region_mesh(std::ostream& os, const AMF::Rest_shape& shape, const std
                      "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
                      "property uchar blue\nproperty float quality\nelement face " +
                      std::to_string(shape.triangles().size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
+  std::vector<float> place(3), quality(1);
   for (std::size_t v = 0; v < values.size(); ++v) {
-    for (int k = 0; k < 3; ++k) Programs::append_little_endian(text, float(shape.points()[v][k]));
-    const double place = most > 0 ? double(values[v] / most) : 0;
-    for (std::uint8_t c : Programs::Rendering::encoded(Programs::Rendering::field_colours()(place))) text += char(c);
-    Programs::append_little_endian(text, values[v]);
+    for (int k = 0; k < 3; ++k) place[std::size_t(k)] = float(shape.points()[v][k]);
+    Programs::append_little_endian(text, place);
+    const double share = most > 0 ? double(values[v] / most) : 0;
+    for (std::uint8_t c : Programs::Rendering::encoded(Programs::Rendering::field_colours()(share))) text += char(c);
+    quality[0] = values[v];
+    Programs::append_little_endian(text, quality);
   }
   for (const AMF::Rest_shape::Triangle& t : shape.triangles()) {
     text += char(3);
-    for (AMF::Rest_shape::Index v : t) Programs::append_little_endian(text, std::int32_t(v));
+    Programs::append_little_endian(text, std::vector<std::int32_t>(t.begin(), t.end()));
   }
   os.write(text.data(), std::streamsize(text.size()));
 }
