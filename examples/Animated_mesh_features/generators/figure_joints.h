@@ -55,8 +55,7 @@ inline std::vector<Figure_joint> figure_joints(const Generated_animation::Mesh& 
   for (std::size_t i = 0; i < bones.size(); ++i) joints[i].name = bones[i].name;
   for (double time : times) {
     const std::vector<double> turns = motion.turns(time);
-    for (std::size_t i = 0; i < bones.size(); ++i)
-      joints[i].angles.push_back(turns[i] * degrees);
+    for (std::size_t i = 0; i < bones.size(); ++i) joints[i].angles.push_back(turns[i] * degrees);
   }
   const double least = 0.1, most = 0.9;
   std::size_t rank = 0;

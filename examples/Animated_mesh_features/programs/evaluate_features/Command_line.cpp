@@ -140,14 +140,16 @@ void run(Command& command, const Common_options& o)
   if (result.curves) result.report.json["curves"] = json_of(*result.curves);
   Programs::Interruption::check();
   write(result, o);
-  if (!o.quiet && o.json != "-" && o.plot != "-") std::cout << Programs::terminal_text(text_of(result.report)) << std::flush;
+  if (!o.quiet && o.json != "-" && o.plot != "-")
+    std::cout << Programs::terminal_text(text_of(result.report)) << std::flush;
 }
 
 } // namespace
 
 std::string overview()
 {
-  std::string text = R"(evaluate_features measures how good features are: against another detection, against the events of a skeleton,
+  std::string text =
+      R"(evaluate_features measures how good features are: against another detection, against the events of a skeleton,
 against what people painted, and against the field in which they were found.
 
 )";

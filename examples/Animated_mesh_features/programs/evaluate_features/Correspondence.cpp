@@ -79,10 +79,11 @@ void add_pair_options(Programs::Option_groups& groups, Pair_options& o)
   group.add("rest-a", "MESH", "the rest shape on which the features of A were found",
             [&](const Argument& a) { o.rest_a = a.text(); });
   group.add("rest-b", "MESH", "that of B", [&](const Argument& a) { o.rest_b = a.text(); });
-  group.add("map", "FILE",
-            "which vertex of B corresponds to each vertex of A: a file with a number in each line, from 0; same, if they "
-            "have the same numbers; nearest, if the rest shapes lie in the same place (default)",
-            [&](const Argument& a) { o.map = a.text(); });
+  group.add(
+      "map", "FILE",
+      "which vertex of B corresponds to each vertex of A: a file with a number in each line, from 0; same, if they "
+      "have the same numbers; nearest, if the rest shapes lie in the same place (default)",
+      [&](const Argument& a) { o.map = a.text(); });
 }
 
 std::vector<std::size_t> corresponding_vertices(const Pair_options& options, const Feature_file& a,
@@ -90,7 +91,8 @@ std::vector<std::size_t> corresponding_vertices(const Pair_options& options, con
 {
   std::vector<std::size_t> result;
   if (options.map.empty() || options.map == "nearest") {
-    if (options.rest_a.empty()) throw AMF::Option_error("the nearest vertices are found with --rest-a only; or see --map");
+    if (options.rest_a.empty())
+      throw AMF::Option_error("the nearest vertices are found with --rest-a only; or see --map");
     const Points points_of_a = read_points(options.rest_a, a);
     for (const Feature_point& f : a.features()) result.push_back(nearest(points_of_a[f.vertex_index], points_of_b));
   } else if (options.map == "same") {

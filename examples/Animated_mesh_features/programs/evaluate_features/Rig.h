@@ -20,8 +20,8 @@ namespace Evaluate_features {
 // Where a skeleton's truth comes from: a file of events with the body at rest, or a clip of a model.
 struct Rig_source
 {
-  std::string events, rest;  // files, together
-  std::string model, clip;   // a file, and the clip by name or number
+  std::string events, rest; // files, together
+  std::string model, clip;  // a file, and the clip by name or number
   bool there_and_back = false;
 };
 

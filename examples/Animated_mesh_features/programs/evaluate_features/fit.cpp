@@ -46,7 +46,8 @@ Field read_field(const std::string& file, const Feature_file& features)
   for (std::size_t v = 0; v < field.number_of_rows(); ++v)
     for (std::size_t f = 0; f < field.number_of_frames(); ++f)
       if (!std::isfinite(field(v, f)))
-        throw AMF::Input_error(file + ": frame " + std::to_string(f) + ": is not finite at vertex " + std::to_string(v));
+        throw AMF::Input_error(file + ": frame " + std::to_string(f) + ": is not finite at vertex " +
+                               std::to_string(v));
   return field;
 }
 
@@ -193,7 +194,8 @@ private:
            "sigma " + name + " % of the diagonal",
            {{"median", "median of the fit", AMF::sample_median(fits),
              AMF::bootstrap_interval(fits, AMF::sample_median, common.bootstrap), std::nullopt, fits.size()},
-            {"least", "least fit", *std::min_element(fits.begin(), fits.end()), std::nullopt, std::nullopt, fits.size()},
+            {"least", "least fit", *std::min_element(fits.begin(), fits.end()), std::nullopt, std::nullopt,
+             fits.size()},
             {"area_ratio", "median of the area ratio", AMF::sample_median(ratios),
              AMF::bootstrap_interval(ratios, AMF::sample_median, common.bootstrap), std::nullopt, fits.size()}}});
     }

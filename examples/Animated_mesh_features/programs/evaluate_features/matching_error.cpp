@@ -48,7 +48,10 @@ class Matching_error : public Command
 {
 public:
   std::string name() const override { return "matching-error"; }
-  std::string summary() const override { return "how far from the features of one detection are those of another one?"; }
+  std::string summary() const override
+  {
+    return "how far from the features of one detection are those of another one?";
+  }
   std::string usage() const override { return "A.json B.json --rest-b MESH [options]"; }
   bool has_curves() const override { return true; }
 
@@ -100,8 +103,8 @@ as many random places and times.
       all.push_back(errors("b_to_a" + key, "from B to A" + name, shape, of_b, of_a, is_timed, common));
     }
     Result result;
-    result.report.title = "matching error: " + a.path + " (A, " + std::to_string(of_a.size()) + " features), " + b.path +
-                          " (B, " + std::to_string(of_b.size()) + ")";
+    result.report.title = "matching error: " + a.path + " (A, " + std::to_string(of_a.size()) + " features), " +
+                          b.path + " (B, " + std::to_string(of_b.size()) + ")";
     result.report.json = {{"measure", "matching-error"},
                           {"features", {of_a.size(), of_b.size()}},
                           {"files", m_pair.files},

@@ -46,7 +46,8 @@ std::vector<double> times_of(const IO::Keyframed_model::Clip& clip, const Rig_so
   if (times.size() != features.frames())
     throw AMF::Input_error(source.model + ": clip \"" + clip.name + "\" has " + std::to_string(times.size()) +
                            " frames of " + std::to_string(features.frame_duration()) + " s, " + features.path +
-                           " is about " + std::to_string(features.frames()) + "; was it another clip, or --there-and-back?");
+                           " is about " + std::to_string(features.frames()) +
+                           "; was it another clip, or --there-and-back?");
   return times;
 }
 
@@ -82,7 +83,7 @@ Rig read_model_rig(const Rig_source& source, const Feature_file& features)
   // Features count vertices that were welded; regions count those of the file.
   const auto& file_vertices = features.data.file_vertices;
   for (std::size_t i = 0; i < features.features().size(); ++i) {
-    const std::size_t vertex = file_vertices.empty() ? features.features()[i].vertex_index
+    const std::size_t vertex = file_vertices.empty()      ? features.features()[i].vertex_index
                                : file_vertices[i].empty() ? rig.points.size()
                                                           : file_vertices[i].front();
     if (vertex >= rig.points.size())
@@ -96,8 +97,9 @@ Rig read_model_rig(const Rig_source& source, const Feature_file& features)
 
 Rig read_model_rig(const Rig_source& source, const Feature_file&)
 {
-  throw AMF::Option_error("--model " + source.model +
-                          ": this program was built without what reads glTF; --events takes the events of a rig in a file");
+  throw AMF::Option_error(
+      "--model " + source.model +
+      ": this program was built without what reads glTF; --events takes the events of a rig in a file");
 }
 
 #endif

@@ -137,7 +137,8 @@ painters scores against the other, if there are two or more, and chance: as many
               [&](const Argument& a) { m_top = a.count(); });
     group.add_repeatable("truth", "FILE", "what somebody painted, repeatable; files of one painter are put together",
                          [&](const Argument& a) { m_truth.push_back(a.text()); });
-    group.add("write-map", "FILE", "write the map, a NumPy file: N x F, the most that a region is worth there, from 0 to 1",
+    group.add("write-map", "FILE",
+              "write the map, a NumPy file: N x F, the most that a region is worth there, from 0 to 1",
               [&](const Argument& a) { m_map = a.text(); });
     group.add("write-weighted-map", "FILE", "the same, weighted by the course of each event in time",
               [&](const Argument& a) { m_weighted_map = a.text(); });
@@ -172,8 +173,7 @@ painters scores against the other, if there are two or more, and chance: as many
   Result run(const Common_options& common) override
   {
     const Feature_file file(m_inputs.front());
-    const Programs::Animation animation(m_reading,
-                                        [](std::size_t, std::size_t) { return AMF::Field_memory::heap(); });
+    const Programs::Animation animation(m_reading, [](std::size_t, std::size_t) { return AMF::Field_memory::heap(); });
     const AMF::Rest_shape& shape = animation.sequence().rest_shape();
     check(file, animation);
     std::vector<Feature_point> features = file.features();
@@ -182,7 +182,8 @@ painters scores against the other, if there are two or more, and chance: as many
     const auto map = [&](const std::vector<Feature_point>& f, AMF::Region_course course) {
       return AMF::feature_regions(shape, file.frames(), file.frame_duration(), f, course);
     };
-    const Map present = map(features, AMF::Region_course::PRESENT), weighted = map(features, AMF::Region_course::GAUSSIAN);
+    const Map present = map(features, AMF::Region_course::PRESENT),
+              weighted = map(features, AMF::Region_course::GAUSSIAN);
     Result result;
     result.report.title = "regions: " + file.path + ", " + std::to_string(features.size()) + " features";
     result.report.json = {{"measure", "regions"}, {"files", m_inputs}, {"truth", m_truth}};
@@ -272,7 +273,8 @@ private:
   {
     const std::vector<AMF::Map_scores> of_painters = scores(map);
     const bool is_sample = of_painters.size() > 1;
-    const AMF::Map_scores ceiling = is_sample ? scores.split_half(common.chance.draws, common.chance.seed) : AMF::Map_scores();
+    const AMF::Map_scores ceiling =
+        is_sample ? scores.split_half(common.chance.draws, common.chance.seed) : AMF::Map_scores();
     Table table = {key, title, {}};
     const auto add = [&](const std::string& figure, const std::string& name, double AMF::Map_scores::*member) {
       std::vector<double> sample;

@@ -35,7 +35,7 @@ typedef std::vector<AMF::Placed_feature> Placed_features;
 struct Placed_pair
 {
   Placed_features a, b;
-  Points points_of_b;                // none without a mesh
+  Points points_of_b; // none without a mesh
   double diagonal_a = 0, diagonal_b = 0;
   double frame_duration = 0, period = 0; // of the coarser frames; of the longer animation
 };
@@ -44,8 +44,8 @@ Placed_features placed(const std::vector<Feature_point>& features)
 {
   Placed_features result;
   for (const Feature_point& f : features)
-    result.push_back({AMF::Rest_shape::Point(f.rest_position[0], f.rest_position[1], f.rest_position[2]), f.time,
-                      f.sigma, f.tau});
+    result.push_back(
+        {AMF::Rest_shape::Point(f.rest_position[0], f.rest_position[1], f.rest_position[2]), f.time, f.sigma, f.tau});
   return result;
 }
 
@@ -61,8 +61,7 @@ Placed_pair placed_pair(const Pair_options& o, const Feature_file& a, const Feat
     pair.diagonal_b = diagonal(pair.points_of_b);
     const std::vector<std::size_t> vertices = corresponding_vertices(o, a, b, pair.points_of_b);
     for (std::size_t i = 0; i < pair.a.size(); ++i) pair.a[i].place = pair.points_of_b[vertices[i]];
-    for (std::size_t i = 0; i < pair.b.size(); ++i)
-      pair.b[i].place = pair.points_of_b[b.features()[i].vertex_index];
+    for (std::size_t i = 0; i < pair.b.size(); ++i) pair.b[i].place = pair.points_of_b[b.features()[i].vertex_index];
   }
   if (!o.rest_a.empty()) pair.diagonal_a = diagonal(read_points(o.rest_a, a));
   pair.frame_duration = (std::max)(a.frame_duration(), b.frame_duration());
@@ -178,10 +177,10 @@ private:
     Rates rates;
     rates.a_in_b = AMF::repeated_features(pair.a, pair.b, m_top, m_among, gates);
     rates.b_in_a = AMF::repeated_features(pair.b, pair.a, m_top, m_among, gates);
-    rates.a_by_chance = AMF::repeated_features(pair.a, AMF::shifted_in_time(pair.b, shift, pair.period), m_top, m_among,
-                                               gates);
-    rates.b_by_chance = AMF::repeated_features(pair.b, AMF::shifted_in_time(pair.a, shift, pair.period), m_top, m_among,
-                                               gates);
+    rates.a_by_chance =
+        AMF::repeated_features(pair.a, AMF::shifted_in_time(pair.b, shift, pair.period), m_top, m_among, gates);
+    rates.b_by_chance =
+        AMF::repeated_features(pair.b, AMF::shifted_in_time(pair.a, shift, pair.period), m_top, m_among, gates);
     Placed_features a = relative(pair.a, pair.diagonal_a), b = relative(pair.b, pair.diagonal_b);
     a.resize((std::min)(m_top, a.size()));
     b.resize((std::min)(m_top, b.size()));
@@ -208,7 +207,7 @@ private:
   {
     const auto figure = [&](const std::string& key, const std::string& name, const std::vector<double>& sample,
                             std::optional<double> chance) {
-      return Figure{key,    name,          AMF::sample_mean(sample), AMF::bootstrap_interval(sample, common.bootstrap),
+      return Figure{key,    name,         AMF::sample_mean(sample), AMF::bootstrap_interval(sample, common.bootstrap),
                     chance, sample.size()};
     };
     const auto direction = [&](const std::string& key, const std::string& title, const AMF::Repeated_features& r,
@@ -237,10 +236,14 @@ private:
     curves.subtitle = "strongest " + std::to_string(m_top) + ", " + m_pair.files[0] + " and " + m_pair.files[1];
     curves.x_name = "largest distance (% of the diagonal)";
     curves.y_name = "share";
-    curves.curves = {{"A found again in B", {}, {}, false},  {"by chance", {}, {}, true},
-                     {"B found again in A", {}, {}, false},  {"by chance", {}, {}, true},
-                     {"one-to-one", {}, {}, false},          {"by chance", {}, {}, true},
-                     {"one-to-one, with scales", {}, {}, false}, {"by chance", {}, {}, true}};
+    curves.curves = {{"A found again in B", {}, {}, false},
+                     {"by chance", {}, {}, true},
+                     {"B found again in A", {}, {}, false},
+                     {"by chance", {}, {}, true},
+                     {"one-to-one", {}, {}, false},
+                     {"by chance", {}, {}, true},
+                     {"one-to-one, with scales", {}, {}, false},
+                     {"by chance", {}, {}, true}};
     for (int i = 1; i <= 20; ++i) {
       const double percent = 0.5 * i, place = percent / 100 * pair.diagonal_b;
       const Rates r = measure(pair, place, place, common);

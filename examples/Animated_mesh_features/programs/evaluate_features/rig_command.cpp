@@ -75,8 +75,7 @@ with a table for each; the table by joint, how many of its events have a feature
   void add_options(Option_groups& groups, std::vector<std::string>&) override
   {
     Option_group& group = groups.add_group("The skeleton");
-    group.add("events", "FILE",
-              "events and regions of its joints: JSON, as make_animation figure --events writes it",
+    group.add("events", "FILE", "events and regions of its joints: JSON, as make_animation figure --events writes it",
               [&](const Argument& a) { m_source.events = a.text(); });
     group.add("rest", "MESH", "with --events: the rest shape on which the features were found",
               [&](const Argument& a) { m_source.rest = a.text(); });
@@ -84,7 +83,8 @@ with a table for each; the table by joint, how many of its events have a feature
               [&](const Argument& a) { m_source.model = a.text(); });
     group.add("clip", "NAME", "with --model: which clip, as for detect_features (default: the first)",
               [&](const Argument& a) { m_source.clip = a.text(); });
-    group.add_switch("there-and-back", m_source.there_and_back, "with --model: it was played to its end and back again");
+    group.add_switch("there-and-back", m_source.there_and_back,
+                     "with --model: it was played to its end and back again");
     Option_group& what = groups.add_group("What is measured");
     what.add("top", "N", "how many of the strongest features (default: all)",
              [&](const Argument& a) { m_top = a.count(); });
@@ -156,12 +156,12 @@ private:
       recall.chance = chance[0];
     }
     const std::string key = m_files.size() == 1 ? "all" : std::to_string(number);
-    report.tables.push_back({key,
-                             path + ", " + std::to_string(features.size()) + " features",
-                             {recall,
-                              {"precision", "precision", AMF::sample_mean(matches.at_event),
-                               AMF::bootstrap_interval(matches.at_event, common.bootstrap), chance[1],
-                               matches.at_event.size()}}});
+    report.tables.push_back(
+        {key,
+         path + ", " + std::to_string(features.size()) + " features",
+         {recall,
+          {"precision", "precision", AMF::sample_mean(matches.at_event),
+           AMF::bootstrap_interval(matches.at_event, common.bootstrap), chance[1], matches.at_event.size()}}});
     if (!has_events) report.remarks.push_back(path + ": no event counts, so there is no recall");
     report.json["joints"][key] = add_joints(rig, events, matches, m_files.size() == 1 ? &report : nullptr);
     add_curve(path, events, features, curves);

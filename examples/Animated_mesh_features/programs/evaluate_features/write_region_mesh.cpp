@@ -21,11 +21,12 @@ void write_region_mesh(std::ostream& os, const AMF::Rest_shape& shape, const std
 {
   float most = 0;
   for (float x : values) most = (std::max)(most, x);
-  std::string text = "ply\nformat binary_little_endian 1.0\ncomment regions of spatio-temporal features\nelement vertex " +
-                     std::to_string(values.size()) +
-                     "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
-                     "property uchar blue\nproperty float quality\nelement face " +
-                     std::to_string(shape.triangles().size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
+  std::string text =
+      "ply\nformat binary_little_endian 1.0\ncomment regions of spatio-temporal features\nelement vertex " +
+      std::to_string(values.size()) +
+      "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\n"
+      "property uchar blue\nproperty float quality\nelement face " +
+      std::to_string(shape.triangles().size()) + "\nproperty list uchar int vertex_indices\nend_header\n";
   std::vector<float> place(3), quality(1);
   for (std::size_t v = 0; v < values.size(); ++v) {
     for (int k = 0; k < 3; ++k) place[std::size_t(k)] = float(shape.points()[v][k]);

@@ -74,7 +74,8 @@ Generation_options parse_command_line(int argc, const char* const* argv)
   o.body = body(bodies);
   groups.use();
   if (o.base.empty()) throw Option_error("say where to write: -o BASE");
-  if (!o.events.empty() && o.body != Body::FIGURE) throw Option_error("--events goes with the figure, which has joints");
+  if (!o.events.empty() && o.body != Body::FIGURE)
+    throw Option_error("--events goes with the figure, which has joints");
   return o;
 }
 

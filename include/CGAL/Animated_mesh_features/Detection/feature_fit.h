@@ -67,6 +67,7 @@ public:
   static constexpr double reach = 2.5;
 
   /*!
+  refers to a field and the surface it is on.
   \param shape the surface at rest.
   \param areas of its `N` vertices, see `vertex_areas()`.
   \param field `N x F`, finite.

@@ -75,8 +75,8 @@ computes the percentile bootstrap interval of a statistic (B. Efron, R. J. Tibsh
 1993, sect. 13.3): the statistic of as many values, drawn with replacement, is computed again and again; the interval
 leaves out as many of the results at either end. Between two results it is linear.
 
-The values must be independent for the interval to mean what it says; neighbouring features of one animation are less so
-than they look, and the interval is then too short.
+The interval of a share that is 0 or 1 has no width. The values must be independent for the interval to mean what it says;
+neighbouring features of one animation are less so than they look, and the interval is then too short.
 
 \param sample the values; of a share, 1 for what counts and 0 for what does not.
 \param statistic a function of `std::vector<double>`, such as `sample_mean()` or `sample_median()`.
