@@ -5,13 +5,15 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Shared by the tests of the programs, which are given to them as DETECT_FEATURES and MAKE_ANIMATION; to be sourced. Sets
-# `tests`, this folder, `program` and `generator`, the two programs or nothing, and `failed`, the exit code to end with.
+# Shared by the tests of the programs, which are given to them as DETECT_FEATURES, MAKE_ANIMATION and
+# EVALUATE_FEATURES; to be sourced. Sets `tests`, this folder, `program`, `generator` and `evaluator`, the programs or
+# nothing, and `failed`, the exit code to end with.
 
 set -u
 tests="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 program="${DETECT_FEATURES:-}"
 generator="${MAKE_ANIMATION:-}"
+evaluator="${EVALUATE_FEATURES:-}"
 failed=0
 checks=0
 export PYTHONDONTWRITEBYTECODE=1
@@ -26,12 +28,14 @@ fail() {
   failed=1
 }
 
-# needs <what>...: skips the test without. `detect_features` and `make_animation` are the programs, all else commands.
+# needs <what>...: skips the test without. The programs have their own names, all else are
+# commands.
 needs() {
   local what missing=""
   for what in "$@"; do
     case "$what" in
       detect_features) [[ -n "$program" ]] || missing+=" DETECT_FEATURES" ;;
+      evaluate_features) [[ -n "$evaluator" ]] || missing+=" EVALUATE_FEATURES" ;;
       make_animation) [[ -n "$generator" ]] || missing+=" MAKE_ANIMATION" ;;
       *) command -v "$what" >/dev/null || missing+=" $what" ;;
     esac

@@ -15,6 +15,8 @@
 #include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>
 
 #ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
+  #include <CGAL/Animated_mesh_features/Evaluation/prominent_maxima.h>
+  #include <CGAL/Animated_mesh_features/IO/joint_angles.h>
   #include <CGAL/Animated_mesh_features/IO/read_gltf.h>
 #endif
 #ifdef ANIMATED_MESH_FEATURES_WITH_ASSIMP
@@ -31,15 +33,22 @@
   #include <sys/stat.h>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
+
+#ifndef ANIMATED_MESH_FEATURES_TEST_DATA
+  #define ANIMATED_MESH_FEATURES_TEST_DATA ""
+#endif
 
 using namespace CGAL::Animated_mesh_features;
 using namespace test_support;
@@ -508,6 +517,59 @@ void test_binary_gltf()
   CHECK_THROWS(Input_error, read(file(chunk("JSON", text) + chunk("BIN\0", bytes))), "buffer 1 has no data");
 }
 
+// The angles of all joints in all clips of a character, against those that another program computed: degrees with one
+// decimal. A joint that a clip leaves alone has no list there.
+void test_angles_of_character()
+{
+  const std::string folder = std::string(ANIMATED_MESH_FEATURES_TEST_DATA) + "/clips/";
+  if (!std::filesystem::exists(folder + "truth.json")) {
+    std::cout << "SKIPPED: no characters in \"" << folder << "\" (ANIMATED_MESH_FEATURES_TEST_DATA)" << std::endl;
+    return;
+  }
+  std::ifstream file(folder + "truth.json");
+  const nlohmann::json truth = nlohmann::json::parse(file);
+  const std::string name = folder + "Knight.glb";
+  const Model model = IO::read_gltf(name);
+  const std::vector<std::string> names = IO::clip_names(model);
+  std::size_t compared = 0, maxima = 0;
+  for (const auto& [clip_name, expected] : truth["clips"].items()) {
+    const Model::Clip& clip = model.clips[IO::find_clip(names, clip_name, name)];
+    IO::Clip_sampling sampling;
+    sampling.frames = expected["frames"].get<std::size_t>();
+    if (*sampling.frames < 2) continue;
+    std::map<std::string, IO::Joint_angles> joints;
+    for (const IO::Joint_angles& j : IO::joint_angles(model, clip, IO::frame_times(clip, sampling, name)))
+      joints[j.name] = j;
+    for (const auto& joint : expected["joints"]) {
+      if (!joint.contains("angle_deg")) continue;
+      const std::vector<double> angles = joint["angle_deg"];
+      const std::vector<double>& ours = joints.at(joint["name"]).angles;
+      CHECK(ours.size() == angles.size());
+      for (std::size_t f = 0; f < angles.size(); ++f) CHECK_NEAR(ours[f], angles[f], 0.0501);
+      compared += angles.size();
+      // all that stand out by 10 degrees, whatever the rounding
+      std::vector<std::pair<double, double>> expected_maxima; // frame, prominence
+      if (joint.contains("maxima"))
+        for (const auto& m : joint["maxima"])
+          expected_maxima.emplace_back(m["time"].get<double>() * expected["fps"].get<double>(),
+                                       m["prominence_deg"].get<double>());
+      // Of a plateau, and of two peaks of one height, the last digit decides which frame it is, and which is the higher.
+      const auto angle = [&](double frame) { return ours[std::size_t(std::lround(frame))]; };
+      const auto is_there = [&](double frame, const auto& list) {
+        return std::any_of(list.begin(), list.end(),
+                           [&](const auto& m) { return std::abs(angle(m.first) - angle(frame)) < 0.1; });
+      };
+      std::vector<std::pair<double, double>> our_maxima;
+      for (const Prominent_maximum& m : prominent_maxima(ours, 0))
+        our_maxima.emplace_back(double(m.place), m.prominence);
+      for (const auto& m : expected_maxima) CHECK(m.second < 10.1 || is_there(m.first, our_maxima));
+      for (const auto& m : our_maxima) CHECK(m.second < 10.1 || is_there(m.first, expected_maxima));
+      maxima += expected_maxima.size();
+    }
+  }
+  CHECK(compared > 1000 && maxima > 10);
+}
+
 void test_bad_gltf()
 {
   const Temporary_folder folder;
@@ -616,8 +678,8 @@ void announce_dataset(const std::string& file, const std::string& name, const st
   using IO::internal::Hdf5_handle;
   const Hdf5_handle f(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
   const Hdf5_handle space(H5Screate_simple(int(extent.size()), extent.data(), nullptr), H5Sclose);
-  const Hdf5_handle d(
-      H5Dcreate2(f.id(), name.c_str(), H5T_STD_I8LE, space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  const Hdf5_handle d(H5Dcreate2(f.id(), name.c_str(), H5T_STD_I8LE, space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                      H5Dclose);
   CHECK(d.is_open());
 }
 
@@ -844,6 +906,7 @@ int main(int argc, char* argv[])
   test_coincidence();
   test_welding();
 #ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
+  test_angles_of_character();
   test_bad_gltf();
   test_linked_files();
   test_swollen_gltf();

@@ -4,16 +4,22 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Results in files: JSON that a parser gives back and that is read back, tables, point clouds, arrays; in any locale.
+// Results in files: JSON that a parser gives back and that is read back, tables, point clouds, arrays; and the truths that
+// they are compared with, paintings and events of rigs. In any locale.
 
 #include "test_io_support.h"
 
 #include <CGAL/Animated_mesh_features/IO/Result_description.h>
+#include <CGAL/Animated_mesh_features/IO/joint_angles.h>
 #include <CGAL/Animated_mesh_features/IO/read_json.h>
+#include <CGAL/Animated_mesh_features/IO/read_npy.h>
+#include <CGAL/Animated_mesh_features/IO/read_painting.h>
+#include <CGAL/Animated_mesh_features/IO/read_rig_events.h>
 #include <CGAL/Animated_mesh_features/IO/write_csv.h>
 #include <CGAL/Animated_mesh_features/IO/write_json.h>
 #include <CGAL/Animated_mesh_features/IO/write_npy.h>
 #include <CGAL/Animated_mesh_features/IO/write_ply.h>
+#include <CGAL/Animated_mesh_features/IO/write_rig_events.h>
 #include <CGAL/Animated_mesh_features/Detection/Spatio_temporal_feature.h>
 #include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
 
@@ -492,6 +498,166 @@ void test_npy_of()
   }
 }
 
+void test_npy_read_back()
+{
+  const Temporary_folder folder;
+  Spatio_temporal_field<float> field(3, 5);
+  for (std::size_t v = 0; v < 3; ++v)
+    for (std::size_t f = 0; f < 5; ++f) field(v, f) = float(v) + 0.1f * float(f) - 1e-20f;
+  field(1, 1) = std::numeric_limits<float>::infinity();
+  std::ostringstream os;
+  IO::write_npy(os, field);
+  const std::string npy = os.str();
+  const auto same = [&](const auto& read) {
+    bool is_same = read.number_of_rows() == 3 && read.number_of_frames() == 5;
+    for (std::size_t v = 0; is_same && v < 3; ++v)
+      for (std::size_t f = 0; f < 5; ++f) is_same = is_same && read(v, f) == field(v, f);
+    return is_same;
+  };
+  CHECK(same(IO::read_npy<float>(folder.write("a.npy", npy))));
+  CHECK(same(IO::read_npy<double>(folder.write("a.npy", npy))));
+
+  // double precision, and the longer header of version 2
+  std::string header = "{'descr': '<f8', 'fortran_order': False, 'shape': (1, 2), }\n", values(16, '\0');
+  const double two[] = {0.1, -2e300};
+  std::memcpy(&values[0], two, 16);
+  const std::string second =
+      std::string("\x93NUMPY\2\0", 8) + char(header.size()) + std::string(3, '\0') + header + values;
+  const auto read = IO::read_npy<double>(folder.write("b.npy", second));
+  CHECK(read.number_of_rows() == 1 && read.number_of_frames() == 2 && read(0, 0) == 0.1 && read(0, 1) == -2e300);
+
+  const auto replaced = [&](const std::string& what, const std::string& by) {
+    std::string text = npy;
+    text.replace(text.find(what), what.size(), by);
+    return IO::read_npy<float>(folder.write("c.npy", text));
+  };
+  CHECK_THROWS(Input_error, replaced("NUMPY", "NUMPI"), "no NumPy file");
+  CHECK_THROWS(Input_error, replaced("<f4", "<i4"), "float32");
+  CHECK_THROWS(Input_error, replaced("<f4", ">f4"), "float32");
+  CHECK_THROWS(Input_error, replaced("False", "True "), "C order");
+  CHECK_THROWS(Input_error, replaced("(3, 5)", "(5, 5)"), "60 bytes");
+  CHECK_THROWS(Input_error, replaced("(3, 5)", "(15,) "), "N x F");
+  CHECK_THROWS(Input_error, replaced("(3, 5)", "(3, 0)"), "no frames");
+  CHECK_THROWS(Input_error, replaced("'shape'", "'shade'"), "without shape");
+  CHECK_THROWS(Input_error, replaced("(3, 5)", "(-3,5)"), "N x F");
+  for (std::size_t length : {std::size_t(0), std::size_t(9), std::size_t(30), npy.size() - 1})
+    CHECK_THROWS(Input_error, IO::read_npy<float>(folder.write("d.npy", npy.substr(0, length))), "d.npy: ");
+  CHECK_THROWS(Input_error, IO::read_npy<float>(folder.path("none.npy")), "none.npy");
+}
+
+const char* const painting = R"({"format": "animated-mesh-features-painting", "version": 1,
+ "animation": {"vertices": 10, "frames": 5, "frame_duration": 0.04}, "painter": "A", "more": 1,
+ "strokes": [{"frame": 2, "frames": [1, 3], "vertices": [9, 0, 9]}, {"frames": [4, 4], "vertices": []}]})";
+
+void test_painting()
+{
+  const Temporary_folder folder;
+  const IO::Painting_file_data data = IO::read_painting(folder.write("a.json", painting));
+  CHECK(data.vertices == 10 && data.frames == 5 && data.frame_duration == 0.04 && data.painter == "A");
+  CHECK(data.strokes.size() == 2);
+  CHECK(data.strokes[0].first_frame == 1 && data.strokes[0].last_frame == 3);
+  CHECK(data.strokes[0].vertices == std::vector<std::size_t>({9, 0, 9}));
+  CHECK(data.strokes[1].first_frame == 4 && data.strokes[1].vertices.empty());
+
+  const auto replaced = [&](const std::string& what, const std::string& by) {
+    std::string text = painting;
+    text.replace(text.find(what), what.size(), by);
+    return IO::read_painting(folder.write("b.json", text));
+  };
+  CHECK_THROWS(Input_error, replaced("-painting", ""), "b.json: is no painting");
+  CHECK_THROWS(Input_error, replaced("\"version\": 1", "\"version\": 2"), "version 2");
+  CHECK_THROWS(Input_error, replaced("0.04", "0"), "animation.frame_duration: is not positive");
+  CHECK_THROWS(Input_error, replaced("\"A\"", "7"), "painter: a text");
+  CHECK_THROWS(Input_error, replaced("\"painter\"", "\"by\""), "painter: is missing");
+  CHECK_THROWS(Input_error, replaced("[9, 0, 9]", "[9, 10]"), "strokes[0].vertices[1]: there is no vertex 10, only 10");
+  CHECK_THROWS(Input_error, replaced("[9, 0, 9]", "[-1]"), "strokes[0].vertices[0]: a whole number");
+  CHECK_THROWS(Input_error, replaced("[1, 3]", "[1, 5]"), "strokes[0].frames[1]: there is no frame 5");
+  CHECK_THROWS(Input_error, replaced("[1, 3]", "[3, 1]"), "strokes[0].frames: the last frame is before");
+  CHECK_THROWS(Input_error, replaced("[1, 3]", "[1]"), "strokes[0].frames: the first and the last");
+  CHECK_THROWS(Input_error, replaced("\"frame\": 2", "\"frame\": 0"), "strokes[0].frame: is not within");
+  CHECK_THROWS(Input_error, replaced("}]}", "}]"), "no valid JSON");
+}
+
+void test_rig_events()
+{
+  IO::Rig_file_data data;
+  data.vertices = 100;
+  data.frames = 48;
+  data.frame_duration = 1. / 30;
+  data.joints = {{"left \"knee\"", {1, 99}, {{0.1, 45.25, 1. / 3}, {0.7, 1e-3, 0}}}, {"tail", {}, {}}};
+  std::ostringstream os;
+  IO::write_rig_events(os, data);
+  const Temporary_folder folder;
+  const IO::Rig_file_data read = IO::read_rig_events(folder.write("rig.json", os.str()));
+  CHECK(read.vertices == 100 && read.frames == 48 && read.frame_duration == data.frame_duration);
+  CHECK(read.joints.size() == 2 && read.joints[0].name == data.joints[0].name && read.joints[1].name == "tail");
+  CHECK(read.joints[0].region == data.joints[0].region && read.joints[1].maxima.empty());
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto &a = read.joints[0].maxima.at(i), &b = data.joints[0].maxima[i];
+    CHECK(a.time == b.time && a.angle == b.angle && a.prominence == b.prominence);
+  }
+  const auto replaced = [&](const std::string& what, const std::string& by) {
+    std::string text = os.str();
+    text.replace(text.find(what), what.size(), by);
+    return IO::read_rig_events(folder.write("b.json", text));
+  };
+  CHECK_THROWS(Input_error, replaced("-rig-events", ""), "b.json: holds no events");
+  CHECK_THROWS(Input_error, replaced("99", "100"), "joints[0].region[1]: there is no vertex 100");
+  CHECK_THROWS(Input_error, replaced("45.25", "-4"), "joints[0].maxima[0].angle_deg: is negative");
+  CHECK_THROWS(Input_error, replaced("\"time\"", "\"when\""), "joints[0].maxima[0].time: is missing");
+  CHECK_THROWS(Input_error, replaced("\"tail\"", "null"), "joints[1].name: a text");
+}
+
+// An arm of two bones on a node that is none: the upper one turns by 90 degrees and back, the lower one rests. At rest, both
+// are turned already.
+void test_joint_angles()
+{
+  const double half = std::sqrt(0.5);
+  IO::Keyframed_model model;
+  model.nodes.resize(4);
+  model.nodes[0].name = "arm";
+  model.nodes[1].name = "upper";
+  model.nodes[1].parent = 0;
+  model.nodes[1].rotation = {{0, half, 0, half}};
+  model.nodes[2].name = "lower";
+  model.nodes[2].parent = 1;
+  model.nodes[2].rotation = {{half, 0, 0, half}};
+  IO::Keyframed_model::Geometry geometry;
+  geometry.points.resize(4);
+  // all of the upper bone; a third of the lower one; all of the lower one; a twentieth of it
+  geometry.influences = {{0, 1.}, {0, 2. / 3}, {1, 1. / 3}, {1, 1.}, {0, 0.95}, {1, 0.05}};
+  geometry.first_influence = {0, 1, 3, 4, 6};
+  model.geometries.push_back(geometry);
+  model.skins.push_back({{1, 2}, {Eigen::Affine3d::Identity(), Eigen::Affine3d::Identity()}});
+  IO::Keyframed_model::Part part;
+  part.geometry = 0;
+  part.node = 3;
+  model.parts.push_back(part); // without a skin: its vertices are counted, too
+  part.skin = 0;
+  model.parts.push_back(part);
+  IO::Keyframed_model::Clip clip;
+  clip.channels.resize(1);
+  clip.channels[0].node = 1;
+  clip.channels[0].path = IO::Keyframed_model::Path::ROTATION;
+  IO::Keyframe_track& track = clip.channels[0].track;
+  track.is_rotation = true;
+  track.width = 4;
+  track.times = {0, 1, 2};
+  // from rest by 90 degrees about the y axis, and back; the last key is the other quaternion of the same rotation
+  track.values = {0, half, 0, half, 0, 1, 0, 0, 0, -half, 0, -half};
+
+  const std::vector<IO::Joint_angles> joints = IO::joint_angles(model, clip, {0, 0.5, 1, 1.25, 2});
+  CHECK(joints.size() == 2);
+  CHECK(joints[0].name == "upper" && joints[1].name == "lower");
+  const std::vector<double> expected = {0, 45, 90, 67.5, 0};
+  for (std::size_t i = 0; i < 5; ++i) {
+    CHECK_NEAR(joints[0].angles[i], expected[i], 1e-5);
+    CHECK(joints[1].angles[i] == 0);
+  }
+  CHECK(joints[0].region.empty());                          // it moves all of every vertex
+  CHECK(joints[1].region == std::vector<std::size_t>({5})); // 4 vertices of the first part before
+}
+
 } // namespace
 
 int main()
@@ -506,5 +672,9 @@ int main()
   test_ply();
   test_npy_of<float>();
   test_npy_of<double>();
+  test_npy_read_back();
+  test_painting();
+  test_rig_events();
+  test_joint_angles();
   return test_result();
 }

@@ -39,13 +39,8 @@ public:
   /// where each bone is at a time (seconds).
   std::vector<Rigid_motion> operator()(double time) const
   {
-    const double phase = boost::math::constants::two_pi<double>() * time / m_period;
-    std::map<std::string, Angles> angles;
-    pose_trunk(phase, angles);
-    pose_tail(phase, angles);
-    pose_side("left", 1, phase, angles);
-    pose_side("right", -1, phase + boost::math::constants::pi<double>(), angles);
-
+    const double phase = phase_at(time);
+    std::map<std::string, Angles> angles = angles_at(phase);
     std::vector<Rigid_motion> result;
     for (std::size_t i = 0; i < m_body.bones().size(); ++i) {
       const Figure_body::Bone& bone = m_body.bones()[i];
@@ -56,6 +51,18 @@ public:
         result.push_back(Rigid_motion(Eigen::Quaterniond::Identity(), hop) * turn);
       } else
         result.push_back(result[bone.parent] * turn);
+    }
+    return result;
+  }
+
+  /// by how much each bone is turned against the one that carries it, relative to rest (radians, 0 to pi).
+  std::vector<double> turns(double time) const
+  {
+    std::map<std::string, Angles> angles = angles_at(phase_at(time));
+    std::vector<double> result;
+    for (const Figure_body::Bone& bone : m_body.bones()) {
+      const Eigen::Quaterniond q = angles[bone.name].rotation();
+      result.push_back(2 * std::atan2(q.vec().norm(), std::abs(q.w())));
     }
     return result;
   }
@@ -74,6 +81,18 @@ private:
                                 Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()));
     }
   };
+
+  double phase_at(double time) const { return boost::math::constants::two_pi<double>() * time / m_period; }
+
+  static std::map<std::string, Angles> angles_at(double phase)
+  {
+    std::map<std::string, Angles> angles;
+    pose_trunk(phase, angles);
+    pose_tail(phase, angles);
+    pose_side("left", 1, phase, angles);
+    pose_side("right", -1, phase + boost::math::constants::pi<double>(), angles);
+    return angles;
+  }
 
   // A soft pulse from 0 to 1, once per turn, at its top when the phase is 0.
   static double pulse(double phase) { return std::pow(0.5 + 0.5 * std::cos(phase), 2); }

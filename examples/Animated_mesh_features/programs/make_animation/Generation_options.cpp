@@ -45,6 +45,10 @@ void add_options(Option_groups& groups, Generation_options& o, std::vector<std::
   group.add("fps", "R", "frames in a second (default: 30)",
             [&](const Argument& a) { o.frames_per_second = a.positive_number(); });
   group.add("output,o", "BASE", "where to write: BASE.obj and BASE.pc2", [&](const Argument& a) { o.base = a.text(); });
+  group.add("events", "FILE",
+            "of the figure, also write which joint is bent most when, and which vertices that moves (JSON): what "
+            "evaluate_features rig compares features with",
+            [&](const Argument& a) { o.events = a.text(); });
   group.add_switch("help,h", o.help, "show this text");
   groups.add_positional("what", bodies, 1);
 }
@@ -70,6 +74,8 @@ Generation_options parse_command_line(int argc, const char* const* argv)
   o.body = body(bodies);
   groups.use();
   if (o.base.empty()) throw Option_error("say where to write: -o BASE");
+  if (!o.events.empty() && o.body != Body::FIGURE)
+    throw Option_error("--events goes with the figure, which has joints");
   return o;
 }
 

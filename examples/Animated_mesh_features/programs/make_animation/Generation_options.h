@@ -29,7 +29,8 @@ struct Generation_options
   std::optional<std::size_t> vertices; // roughly
   std::optional<std::size_t> frames;   // none: as many as show the whole motion
   double frames_per_second = 30;
-  std::string base; // of the names of the files
+  std::string base;   // of the names of the files
+  std::string events; // the file of the figure's joints; empty: none
 
   // Typing errors beyond these would fill the memory before they fail.
   static constexpr std::size_t most_vertices = 10000000;

@@ -20,4 +20,12 @@ Animated_mesh_generators::Generated_animation generate_figure(const Generation_o
   return Animated_mesh_generators::articulated_figure(options);
 }
 
+std::vector<Animated_mesh_generators::Figure_joint>
+joints_of_figure(const Animated_mesh_generators::Generated_animation& figure, const std::vector<double>& times)
+{
+  // set_frames() leaves the pace as it is
+  return Animated_mesh_generators::figure_joints(figure.mesh,
+                                                 Animated_mesh_generators::Articulated_figure_options().period, times);
+}
+
 } // namespace Make_animation

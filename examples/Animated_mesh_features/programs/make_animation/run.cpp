@@ -14,15 +14,20 @@
 
 #include "generators/bending_cylinder.h"
 
+#include <CGAL/Animated_mesh_features/Evaluation/prominent_maxima.h>
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
 #include <CGAL/Animated_mesh_features/IO/Output_file.h>
 #include <CGAL/Animated_mesh_features/IO/write_obj.h>
+#include <CGAL/Animated_mesh_features/IO/Rig_file_data.h>
 #include <CGAL/Animated_mesh_features/IO/write_point_cache.h>
+#include <CGAL/Animated_mesh_features/IO/write_rig_events.h>
 
 #include <array>
 #include <cstddef>
 #include <iostream>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace IO = CGAL::Animated_mesh_features::IO;
 using Animated_mesh_generators::Generated_animation;
@@ -53,11 +58,32 @@ IO::Indexed_mesh rest_shape(const Generated_animation& animation)
   return result;
 }
 
-void write(const Generated_animation& animation, const std::string& base)
+// Angles are known between the frames, too: maxima are found 16 times more finely than frames are made.
+IO::Rig_file_data figure_events(const Generated_animation& animation)
 {
-  Programs::check_outputs({base + ".obj", base + ".pc2"}, {});
+  const std::size_t finer = 16;
+  IO::Rig_file_data data;
+  data.vertices = num_vertices(animation.mesh);
+  data.frames = animation.frames.size();
+  data.frame_duration = animation.frame_duration;
+  std::vector<double> times;
+  for (std::size_t i = 0; i <= finer * (data.frames - 1); ++i)
+    times.push_back(double(i) / double(finer) * data.frame_duration);
+  for (const Animated_mesh_generators::Figure_joint& joint : joints_of_figure(animation, times)) {
+    data.joints.push_back({joint.name, joint.region, {}});
+    for (const auto& m : CGAL::Animated_mesh_features::prominent_maxima(joint.angles, 0))
+      data.joints.back().maxima.push_back({times[m.place], m.value, m.prominence});
+  }
+  return data;
+}
+
+void write(const Generated_animation& animation, const std::string& base, const std::string& events_file)
+{
+  std::vector<std::string> paths = {base + ".obj", base + ".pc2"};
+  if (!events_file.empty()) paths.push_back(events_file);
+  Programs::check_outputs(paths, {});
   const Programs::Interruption interruption; // now that there is something to be left on a disk
-  // Both are complete, down to the last byte, before either takes its place.
+  // All are complete, down to the last byte, before one of them takes its place.
   IO::Output_file obj(base + ".obj"), pc2(base + ".pc2");
   IO::write_obj(obj.stream(), rest_shape(animation));
   obj.stream().flush();
@@ -69,8 +95,16 @@ void write(const Generated_animation& animation, const std::string& base)
   });
   pc2.stream().flush();
   pc2.check();
+  std::optional<IO::Output_file> events;
+  if (!events_file.empty()) {
+    events.emplace(events_file);
+    IO::write_rig_events(events->stream(), figure_events(animation));
+    events->stream().flush();
+    events->check();
+  }
   obj.commit();
   pc2.commit();
+  if (events) events->commit();
 }
 
 } // namespace
@@ -78,7 +112,7 @@ void write(const Generated_animation& animation, const std::string& base)
 void run(const Generation_options& o)
 {
   const Generated_animation animation = o.body == Body::FIGURE ? generate_figure(o) : generate_cylinder(o);
-  write(animation, o.base);
+  write(animation, o.base, o.events);
   const std::string base = Programs::terminal_text(o.base);
   std::cout << base << ".obj: " << num_vertices(animation.mesh) << " vertices, " << num_faces(animation.mesh)
             << " triangles\n"

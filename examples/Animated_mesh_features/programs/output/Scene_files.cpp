@@ -11,6 +11,7 @@
 #include "scenes/write_vtk.h"
 #ifdef DETECT_FEATURES_WITH_PICTURES
   #include "pictures/write_png.h"
+  #include "plots/plot_format.h"
   #include "plots/write_plot.h"
 #endif
 
@@ -18,9 +19,6 @@
 #include <CGAL/Animated_mesh_features/IO/Output_folder.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -74,19 +72,6 @@ std::unique_ptr<Scene_file> single_file(const std::string& path, AMF::IO::Output
   return std::make_unique<Single_file<Write>>(path, sync, std::move(write));
 }
 
-#ifdef DETECT_FEATURES_WITH_PICTURES
-// The standard output has no ending.
-Drawing_format plot_format(const std::string& path)
-{
-  std::string ending = path == "-" ? ".svg" : std::filesystem::path(path).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  if (ending == ".svg") return Drawing_format::SVG;
-  if (ending == ".pdf") return Drawing_format::PDF;
-  if (ending == ".png") return Drawing_format::PNG;
-  throw AMF::Option_error("--plot " + path + ": the format is not clear from the ending (.svg, .pdf, .png)");
-}
-#endif
-
 std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested, const Output_options& o)
 {
   switch (requested.kind) {
@@ -100,7 +85,7 @@ std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested, 
 #ifdef DETECT_FEATURES_WITH_PICTURES
   case Scene_format::PLOT:
     return single_file(requested.path, o.sync(),
-                       [format = plot_format(requested.path)](std::ostream& os, const Shown_scene& scene) {
+                       [format = plot_format("--plot", requested.path)](std::ostream& os, const Shown_scene& scene) {
                          write_plot(os, scene, format);
                        });
   case Scene_format::PNG:

@@ -1,0 +1,238 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_DETECTION_FEATURE_FIT_H
+#define CGAL_ANIMATED_MESH_FEATURES_DETECTION_FEATURE_FIT_H
+
+#include <CGAL/Animated_mesh_features/Animation/Bounded_dijkstra.h>
+#include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Detection/Feature_point.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesDetection
+
+How well a field is described by a feature found in it, see `Feature_fit_measure`.
+*/
+struct Feature_fit
+{
+  /// the correlation of the field around the feature with the feature's Gaussian, from -1 to 1; 0 where one of them does
+  /// not vary.
+  double fit = 0;
+
+  /// the area of the disc of radius \f$\sqrt2\,\sigma\f$ on the surface over that of a flat one, \f$2\pi\sigma^2\f$: near 1
+  /// where a blob of this size is a patch of a surface, small where it takes in all of a limb or a tip.
+  double area_ratio = 0;
+};
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesDetection
+
+Measures how well a field is described by features found in it.
+
+A feature at vertex \f$v_0\f$ and time \f$t_0\f$ says that the field around it looks like
+\f$g(v, t) = e^{-d(v)^2/2\sigma^2}\,e^{-(t-t_0)^2/2\tau^2}\f$, up to a factor and a constant, where \f$d(v)\f$ is the length
+of the shortest path along edges of the rest shape from \f$v_0\f$ to \f$v\f$. Its fit is the correlation of the field with
+\f$g\f$ over the vertices with \f$d \le 2.5\,\sigma\f$ and the frames with \f$|t - t_0| \le 2.5\,\tau\f$, each sample weighted
+by the area of its vertex: 1 for a Gaussian event, near 0 for a place whose field has nothing of one.
+
+The fit is that of the vertex and not of the refined place, from which it differs by less than an edge.
+
+Keeps `N` distances; the objects that it is made of are kept by reference. For `k` vertices and `m` frames around a feature
+a call takes `O(k log k + k m)`.
+
+\tparam FT `float` or `double`, the scalar of the field.
+*/
+template <class FT>
+class Feature_fit_measure
+{
+public:
+  /// within how many \f$\sigma\f$ and \f$\tau\f$ of a feature the field is compared: beyond, the Gaussian is below 5 % of
+  /// its height.
+  static constexpr double reach = 2.5;
+
+  /*!
+  refers to a field and the surface it is on.
+  \param shape the surface at rest.
+  \param areas of its `N` vertices, see `vertex_areas()`.
+  \param field `N x F`, finite.
+  \param frame_duration the time between two frames (s), positive.
+  \throw Option_error if the numbers of vertices differ or the time between two frames is not positive.
+  */
+  Feature_fit_measure(const Rest_shape& shape, const std::vector<double>& areas, const Spatio_temporal_field<FT>& field,
+                      double frame_duration)
+    : m_areas(&areas)
+    , m_field(&field)
+    , m_frame_duration(frame_duration)
+    , m_paths(shape)
+  {
+    const std::size_t n = shape.number_of_vertices();
+    if (field.number_of_rows() != n || areas.size() != n)
+      throw Option_error("the field has " + std::to_string(field.number_of_rows()) + " rows, there are " +
+                         std::to_string(areas.size()) + " areas, and the rest shape has " + std::to_string(n) +
+                         " vertices");
+    if (!(frame_duration > 0)) throw Option_error("the time between two frames must be positive");
+  }
+
+  /// measures a feature; of it the vertex, the time, \f$\sigma\f$ and \f$\tau\f$ are used.
+  /// \throw Input_error if its vertex is not of the rest shape, or \f$\sigma\f$ or \f$\tau\f$ is not positive.
+  Feature_fit operator()(const Feature_point& feature)
+  {
+    check(feature);
+    const std::vector<Rest_shape::Index>& around =
+        m_paths.run(std::array<Rest_shape::Index, 1>{{Rest_shape::Index(feature.vertex_index)}}, reach * feature.sigma);
+    measure_disc(feature, around);
+    measure_frames(feature);
+    Feature_fit result;
+    result.area_ratio = m_disc_area / (2 * 3.14159265358979323846 * feature.sigma * feature.sigma);
+    if (m_area > 0 && !m_in_time.values.empty()) result.fit = correlation(around);
+    return result;
+  }
+
+private:
+  // One of the two factors of the Gaussian: its values, their weighted mean and variance.
+  struct Factor
+  {
+    std::vector<double> values;
+    double mean = 0, variance = 0;
+
+    double mean_of_squares() const { return variance + mean * mean; }
+  };
+
+  void check(const Feature_point& f) const
+  {
+    if (f.vertex_index >= m_areas->size())
+      throw Input_error("a feature is at vertex " + std::to_string(f.vertex_index) + ", the rest shape has " +
+                        std::to_string(m_areas->size()) + " vertices");
+    if (!(f.sigma > 0) || !(f.tau > 0))
+      throw Input_error("the feature at vertex " + std::to_string(f.vertex_index) + " has sigma " +
+                        std::to_string(f.sigma) + " and tau " + std::to_string(f.tau) + "; both must be positive");
+  }
+
+  static double gaussian(double x, double deviation) { return std::exp(-x * x / (2 * deviation * deviation)); }
+
+  // The Gaussian in space, weighted by area, and the area within the feature's radius.
+  void measure_disc(const Feature_point& f, const std::vector<Rest_shape::Index>& around)
+  {
+    m_in_space.values.clear();
+    m_area = m_disc_area = 0;
+    double sum = 0;
+    for (Rest_shape::Index v : around) {
+      const double d = m_paths.distance(v), area = (*m_areas)[v];
+      m_in_space.values.push_back(gaussian(d, f.sigma));
+      m_area += area;
+      sum += area * m_in_space.values.back();
+      if (d <= f.radius()) m_disc_area += area;
+    }
+    m_in_space.mean = m_area > 0 ? sum / m_area : 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const double x = m_in_space.values[i] - m_in_space.mean;
+      squares += (*m_areas)[around[i]] * x * x;
+    }
+    m_in_space.variance = m_area > 0 ? squares / m_area : 0;
+  }
+
+  // The Gaussian in time; all frames weigh the same.
+  void measure_frames(const Feature_point& f)
+  {
+    const auto time = [&](std::size_t frame) { return double(frame) * m_frame_duration - f.time; };
+    m_in_time.values.clear();
+    double sum = 0;
+    for (std::size_t m = 0; m < m_field->number_of_frames(); ++m) {
+      if (!(std::abs(time(m)) <= reach * f.tau)) continue;
+      if (m_in_time.values.empty()) m_first_frame = m;
+      m_in_time.values.push_back(gaussian(time(m), f.tau));
+      sum += m_in_time.values.back();
+    }
+    const double n = (std::max)(1., double(m_in_time.values.size()));
+    m_in_time.mean = sum / n;
+    double squares = 0;
+    for (double b : m_in_time.values) squares += (b - m_in_time.mean) * (b - m_in_time.mean);
+    m_in_time.variance = squares / n;
+  }
+
+  double correlation(const std::vector<Rest_shape::Index>& around) const
+  {
+    const std::size_t frames = m_in_time.values.size();
+    const double weight = 1 / (m_area * double(frames));
+    double mean = 0;
+    for (Rest_shape::Index v : around) {
+      const FT* const x = m_field->row(v) + m_first_frame;
+      double sum = 0;
+      for (std::size_t m = 0; m < frames; ++m) sum += double(x[m]);
+      mean += weight * (*m_areas)[v] * sum;
+    }
+    // The mean is rounded: what is left of it is taken out below.
+    double left = 0, variance = 0, covariance = 0;
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      const FT* const x = m_field->row(around[i]) + m_first_frame;
+      double sum = 0, squares = 0, products = 0;
+      for (std::size_t m = 0; m < frames; ++m) {
+        const double y = double(x[m]) - mean;
+        sum += y;
+        squares += y * y;
+        products += y * m_in_time.values[m];
+      }
+      const double w = weight * (*m_areas)[around[i]];
+      left += w * sum;
+      variance += w * squares;
+      covariance += w * products * m_in_space.values[i];
+    }
+    variance -= left * left;
+    covariance -= left * m_in_space.mean * m_in_time.mean;
+    const double rounding = 64 * std::numeric_limits<double>::epsilon() * mean; // of a field that is constant
+    if (!(variance > rounding * rounding)) return 0;
+    // of a product of two factors, without the difference of squares in which digits would cancel
+    const double of_gaussian =
+        m_in_space.variance * m_in_time.mean_of_squares() + m_in_space.mean * m_in_space.mean * m_in_time.variance;
+    if (!(of_gaussian > 0)) return 0;
+    return (std::max)(-1., (std::min)(1., covariance / (std::sqrt(variance) * std::sqrt(of_gaussian))));
+  }
+
+  const std::vector<double>* m_areas;
+  const Spatio_temporal_field<FT>* m_field;
+  double m_frame_duration;
+  internal::Bounded_dijkstra m_paths;
+
+  // of the feature that is being measured
+  Factor m_in_space, m_in_time;
+  double m_area = 0, m_disc_area = 0;
+  std::size_t m_first_frame = 0;
+};
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesDetection
+
+measures a single feature; for several, a `Feature_fit_measure` saves what they share.
+
+\param shape, areas, field, frame_duration see `Feature_fit_measure`.
+\param feature a feature of the field.
+\throw Option_error, Input_error as `Feature_fit_measure` does.
+*/
+template <class FT>
+Feature_fit feature_fit(const Rest_shape& shape, const std::vector<double>& areas,
+                        const Spatio_temporal_field<FT>& field, double frame_duration, const Feature_point& feature)
+{
+  return Feature_fit_measure<FT>(shape, areas, field, frame_duration)(feature);
+}
+
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_DETECTION_FEATURE_FIT_H
