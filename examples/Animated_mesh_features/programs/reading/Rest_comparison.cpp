@@ -33,7 +33,7 @@ double length_in_frame(const Sequence& sequence, const Edge& e, std::size_t f)
 }
 
 // of the lengths in the middle frame over those of the shape; 0 if there are none
-double median_ratio(const Points& points, const Sequence& sequence)
+double median_ratio(const Rest_points& points, const Sequence& sequence)
 {
   std::vector<double> ratios;
   for_some_edges(sequence, [&](const Edge& e) {
@@ -66,7 +66,7 @@ std::vector<double> edge_changes(const Sequence& sequence, const Length& length_
 
 } // namespace
 
-std::optional<std::size_t> frame_at(const Points& points, const Sequence& sequence)
+std::optional<std::size_t> frame_at(const Rest_points& points, const Sequence& sequence)
 {
   if (points.empty()) return std::nullopt;
   // Texts have six digits as a rule, point caches seven.
@@ -87,7 +87,7 @@ std::optional<std::size_t> frame_at(const Points& points, const Sequence& sequen
   return candidates.empty() ? std::nullopt : std::optional<std::size_t>(candidates.front());
 }
 
-Rest_comparison compare_with_frames(const Points& points, const Sequence& sequence, bool scaled)
+Rest_comparison compare_with_frames(const Rest_points& points, const Sequence& sequence, bool scaled)
 {
   Rest_comparison result;
   result.ratio = median_ratio(points, sequence);

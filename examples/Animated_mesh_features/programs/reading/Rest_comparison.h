@@ -17,11 +17,11 @@
 
 namespace Programs {
 
-typedef std::vector<CGAL::Animated_mesh_features::Rest_shape::Point> Points;
+typedef std::vector<CGAL::Animated_mesh_features::Rest_shape::Point> Rest_points;
 
 // The first frame in which every vertex is where it is in `points`, but for rounding in files; none, if there is no such
 // frame. O(N F) time.
-std::optional<std::size_t> frame_at(const Points& points, const Sequence& sequence);
+std::optional<std::size_t> frame_at(const Rest_points& points, const Sequence& sequence);
 
 // How the edges of a shape differ from those of the frames.
 struct Rest_comparison
@@ -33,7 +33,7 @@ struct Rest_comparison
 };
 
 // By up to 30,000 edges: of a larger mesh every second, third...
-Rest_comparison compare_with_frames(const Points& points, const Sequence& sequence, bool scaled);
+Rest_comparison compare_with_frames(const Rest_points& points, const Sequence& sequence, bool scaled);
 
 // Whether the animation begins at rest: edges change less between the first two frames than by a fiftieth of what they
 // change most between any two successive ones. By some edges, as above.

@@ -34,9 +34,9 @@ std::string file_name(const std::string& path)
   return std::filesystem::path(path).filename().string();
 }
 
-Points points_of(const std::vector<std::array<double, 3>>& from)
+Rest_points points_of(const std::vector<std::array<double, 3>>& from)
 {
-  Points points;
+  Rest_points points;
   points.reserve(from.size());
   for (const auto& p : from) points.emplace_back(p[0], p[1], p[2]);
   return points;
@@ -54,7 +54,7 @@ Taken_rest take_average(Sequence& sequence)
   return {"average", "the average of all frames", "", false, 1};
 }
 
-Taken_rest take_points(const Points& points, Taken_rest taken, Sequence& sequence)
+Taken_rest take_points(const Rest_points& points, Taken_rest taken, Sequence& sequence)
 {
   std::vector<Sequence::Point_3> converted;
   converted.reserve(points.size());
@@ -67,7 +67,7 @@ Taken_rest take_points(const Points& points, Taken_rest taken, Sequence& sequenc
 // Another shape than the frames that comes with the input.
 struct Own_shape
 {
-  Points points;
+  Rest_points points;
   Taken_rest taken;
   std::string file; // that holds it
 };
