@@ -138,6 +138,7 @@ Response_extrema find_response_extrema(
   const std::size_t levels_in_memory = options.level_memory / level_size;
   engine.set_largest_batch(levels_in_memory > around ? levels_in_memory - around : 1);
   engine.set_least_response(noise);
+  engine.set_frame_duration(frame_duration);
   for (const internal::Extremum& e : engine.template run<ConcurrencyTag>(field, options.spatial_filter, visitor))
     if (-e.response() > noise) result.extrema.push_back(internal::refined(e, shape, levels, options, result));
   return result;
