@@ -124,10 +124,10 @@ public:
 
 private:
   // What a candidate costs to be verified, by time level: products with all frames that have a weight, of which the
-  // first hundred count as 1.
+  // first few count as 1.
   std::vector<double> verification_costs() const
   {
-    constexpr double standard_deviations = 9, unit = 100;
+    constexpr double standard_deviations = 9, unit = 64;
     std::vector<double> costs;
     for (std::size_t l = 0; l < m_time_levels; ++l) {
       double reach = double(m_frames);

@@ -152,22 +152,31 @@ public:
       if (m_is_inside) return m_weights.own_weight(l) - (f - m_begin);
       const std::size_t i = 3 * (l - m_first) + (f - m_first_frame);
       double* const row = m_rows.data() + i * (m_end - m_begin);
-      if (!m_is_known[i]) make_row(m_weights.by_distance(l), f, row);
+      if (!m_is_known[i]) make_row(l, f, row);
       m_is_known[i] = 1;
       return row;
     }
 
   private:
-    void make_row(const std::vector<double>& weights, std::size_t f, double* row) const
+    void make_row(std::size_t l, std::size_t f, double* row) const
     {
+      const std::vector<double>& weights = m_weights.by_distance(l);
       const std::size_t n = m_weights.m_frames, size = weights.size();
-      std::fill(row, row + (m_end - m_begin), 0.);
-      const auto at = [&](std::size_t j) -> double& { return row[j - m_begin]; };
-      for (std::size_t j = f >= size ? f - size + 1 : 0; j < (std::min)(n, f + size); ++j)
-        at(j) = weights[j < f ? f - j : j - f];
+      const double* const own = m_weights.own_weight(l);
+      std::copy(own - (f - m_begin), own + (m_end - f), row); // own[i] == own[-i]
       // the mirror images before the first frame and after the last one
-      for (std::size_t j = 0; j < n && f + j + 1 < size; ++j) at(j) += weights[f + j + 1];
-      for (std::size_t j = n; j-- > 0 && f + j + 1 > n && 2 * n - 1 - f - j < size;) at(j) += weights[2 * n - 1 - f - j];
+      if (f + m_begin + 1 < size) add(weights.data() + f + m_begin + 1, (std::min)(m_end - m_begin, size - f - m_begin - 1), row);
+      const std::size_t distance = 2 * n - 1 - f; // to the image of frame 0, and less to those after it
+      const std::size_t first = (std::max)(m_begin, distance + 1 > size ? distance + 1 - size : 0);
+      if (first < m_end) add(own - (distance - first), m_end - first, row + (first - m_begin));
+    }
+
+    static void add(const double* weights, std::size_t count, double* row)
+    {
+      typedef Pack<double, 8, Baseline_register<double>::value> Block;
+      std::size_t i = 0;
+      for (; i + Block::size <= count; i += Block::size) (Block::load(row + i) + Block::load(weights + i)).store(row + i);
+      for (; i < count; ++i) row[i] += weights[i];
     }
 
     const Temporal_weights& m_weights;

@@ -96,8 +96,8 @@ private:
   // Verifying what costs that much takes about as long as searching again.
   double largest_cost() const
   {
-    constexpr std::size_t samples_per_candidate = 128;
-    return double(Cascade::pack_size * m_costs.size() * m_frames / samples_per_candidate + 1);
+    constexpr double packs_per_candidate = 24;
+    return double(m_precise.size() * m_costs.size() * m_frames) / packs_per_candidate + 1;
   }
 
   template <std::size_t bytes>
