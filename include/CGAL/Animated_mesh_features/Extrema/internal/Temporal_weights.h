@@ -93,21 +93,23 @@ public:
       }
     const bool goes_on = first >= m_first && first < m_last && last > m_last;
     const std::size_t size = m_stride * m_frames;
-    std::vector<double> values((last - first) * size);
-    if (goes_on) std::copy(m_values.begin() + std::ptrdiff_t((first - m_first) * size),
-                           m_values.end(), values.begin());
+    if (goes_on) // in place: there are never two windows in memory
+      m_values.erase(m_values.begin(), m_values.begin() + std::ptrdiff_t((first - m_first) * size));
+    else
+      m_values.clear();
+    if (m_values.capacity() < (last - first) * size) m_values.reserve((std::max)((last - first), window_size()) * size);
+    m_values.resize((last - first) * size);
     const std::size_t from = goes_on ? m_last : 0;
-    const double* before = goes_on ? values.data() + (m_last - 1 - first) * size : nullptr;
+    const double* before = goes_on ? m_values.data() + (m_last - 1 - first) * size : nullptr;
     // of a symmetric filter the first half of the columns tells the others
     const std::size_t columns = is_symmetric ? (m_frames + 1) / 2 : m_frames;
     loop((columns + pack_size - 1) / pack_size, [&](std::size_t group) {
-      Impulse_loop impulses = {*this, group, before, from, first, last, values};
+      Impulse_loop impulses = {*this, group, before, from, first, last, m_values};
       if constexpr (Is_vectorized_filter<TemporalFilter>::value)
         run_reproducibly<double>(widest_instruction_set(), impulses);
       else
         impulses.template run<Baseline_register<double>::value>();
     });
-    m_values.swap(values);
     m_first = first;
     m_last = last;
   }
