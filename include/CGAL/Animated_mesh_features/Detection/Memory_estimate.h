@@ -11,12 +11,12 @@
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Geodesic_balls/default_ball_radius.h>
 #include <CGAL/Animated_mesh_features/Numerics/memory/available_memory.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/number_of_threads.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <thread>
 
 namespace CGAL {
 namespace Animated_mesh_features {
@@ -127,11 +127,11 @@ with edges of about one length.
 \param number_of_vertices `N`.
 \param number_of_frames `F`.
 \param scalar_size `sizeof` of the animation's scalar.
-\param number_of_threads each has rows of a vertex of its own; by default as many as the processor has.
+\param number_of_threads each has rows of a vertex of its own; by default as many as loops run on.
 */
 inline Memory_estimate estimated_memory(std::size_t number_of_vertices, std::size_t number_of_frames,
                                         std::size_t scalar_size,
-                                        std::size_t number_of_threads = std::thread::hardware_concurrency())
+                                        std::size_t number_of_threads = internal::number_of_threads())
 {
   Memory_estimate estimate =
       internal::memory_without_balls(number_of_vertices, number_of_frames, scalar_size, number_of_threads);
@@ -149,11 +149,11 @@ the whole they have many more vertices than elsewhere.
 \param shape the rest shape.
 \param number_of_frames `F`.
 \param scalar_size `sizeof` of the animation's scalar.
-\param number_of_threads each has a patch of the shape and rows of a vertex of its own; by default as many as the processor
-has.
+\param number_of_threads each has a patch of the shape and rows of a vertex of its own; by default as many as loops
+run on.
 */
 inline Memory_estimate estimated_memory(const Rest_shape& shape, std::size_t number_of_frames, std::size_t scalar_size,
-                                        std::size_t number_of_threads = std::thread::hardware_concurrency())
+                                        std::size_t number_of_threads = internal::number_of_threads())
 {
   const double n = double(shape.number_of_vertices());
   Memory_estimate estimate =

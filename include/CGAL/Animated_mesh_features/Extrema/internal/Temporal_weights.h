@@ -167,9 +167,10 @@ public:
       const double* const own = m_weights.own_weight(l);
       std::copy(own - (f - m_begin), own + (m_end - f), row); // own[i] == own[-i]
       // the mirror images before the first frame and after the last one
-      if (f + m_begin + 1 < size) add(weights.data() + f + m_begin + 1, (std::min)(m_end - m_begin, size - f - m_begin - 1), row);
+      const std::size_t to_first = f + m_begin + 1; // from the image of frame m_begin
+      if (to_first < size) add(weights.data() + to_first, (std::min)(m_end - m_begin, size - to_first), row);
       const std::size_t distance = 2 * n - 1 - f; // to the image of frame 0, and less to those after it
-      const std::size_t first = (std::max)(m_begin, distance + 1 > size ? distance + 1 - size : 0);
+      const std::size_t first = (std::max)(m_begin, distance + 1 - (std::min)(size, n)); // what is n away was added above
       if (first < m_end) add(own - (distance - first), m_end - first, row + (first - m_begin));
     }
 
