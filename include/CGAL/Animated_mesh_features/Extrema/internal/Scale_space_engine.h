@@ -131,8 +131,9 @@ private:
     std::vector<double> costs;
     for (std::size_t l = 0; l < m_time_levels; ++l) {
       double reach = double(m_frames);
-      if (m_frame_duration > 0)
-        reach = (std::min)(reach, standard_deviations * std::sqrt(m_temporal.variance(l)) / m_frame_duration);
+      if constexpr (Is_vectorized_filter<TemporalFilter>::value) // of others all candidates are verified
+        if (m_frame_duration > 0)
+          reach = (std::min)(reach, standard_deviations * std::sqrt(m_temporal.variance(l)) / m_frame_duration);
       costs.push_back((std::max)(1., reach / unit));
     }
     return costs;
