@@ -48,6 +48,9 @@ std::vector<Painters::Map> Painters::shadows() const
     Map shadow(map.number_of_rows(), 1);
     for (std::size_t v = 0; v < map.number_of_rows(); ++v)
       shadow(v, 0) = *std::max_element(map.row(v), map.row(v) + map.number_of_frames());
+    bool is_everywhere = true;
+    for (std::size_t v = 0; v < map.number_of_rows(); ++v) is_everywhere = is_everywhere && shadow(v, 0) > 0;
+    if (is_everywhere) return {};
     result.push_back(std::move(shadow));
   }
   return result;

@@ -30,7 +30,7 @@ public:
   // in space and time, N x F each
   const std::vector<Map>& maps() const { return m_maps; }
 
-  // in space, N x 1 each: whether a vertex is painted in any frame
+  // in space, N x 1 each: whether a vertex is painted in any frame; none if somebody has painted all of them
   std::vector<Map> shadows() const;
 
 private:

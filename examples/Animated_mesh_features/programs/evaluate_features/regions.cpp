@@ -124,8 +124,13 @@ painters scores against the other, if there are two or more, and chance: as many
     add_extent(present, areas, result.report);
     if (!m_truth.empty()) {
       const Painters painters(m_truth, file);
-      const Scores scores = {AMF::Painting_scores(painters.maps(), areas),
-                             AMF::Painting_scores(painters.shadows(), areas)};
+      const std::vector<Map> shadows = painters.shadows();
+      Scores scores = {AMF::Painting_scores(painters.maps(), areas), std::nullopt};
+      if (!shadows.empty())
+        scores.in_space.emplace(shadows, areas);
+      else
+        result.report.remarks.push_back(
+            "somebody painted every vertex at some time: there are no figures in space alone");
       result.report.json["painters"] = painters.maps().size();
       compare(present, AMF::Region_course::PRESENT, make, scores, common, result.report);
       compare(weighted, AMF::Region_course::GAUSSIAN, make, scores, common, result.report);
@@ -158,7 +163,8 @@ private:
   // in space and time, and in space alone
   struct Scores
   {
-    AMF::Painting_scores in_time, in_space;
+    AMF::Painting_scores in_time;
+    std::optional<AMF::Painting_scores> in_space; // none: nothing to compare with
   };
 
   // Makes the map of features, or of the same at random places.
@@ -191,14 +197,16 @@ private:
         make.features.size(), make.shape.number_of_vertices(), make.file.duration(),
         [&](const std::vector<AMF::Random_place>& places) {
           const Map random = make(places, course);
-          return Chance{scores.in_time.mean(random), scores.in_space.mean(AMF::summed_over_frames(random))};
+          return Chance{scores.in_time.mean(random),
+                        scores.in_space ? scores.in_space->mean(AMF::summed_over_frames(random)) : AMF::Map_scores()};
         },
         common.chance);
     const bool is_weighted = course == AMF::Region_course::GAUSSIAN;
     const std::string form = is_weighted ? ", weighted regions" : "", key = is_weighted ? "_weighted" : "";
     add_scores("space_time" + key, "in space and time" + form, scores.in_time, map, chance.in_time, common, report);
-    add_scores("space" + key, "in space" + form, scores.in_space, AMF::summed_over_frames(map), chance.in_space, common,
-               report);
+    if (scores.in_space)
+      add_scores("space" + key, "in space" + form, *scores.in_space, AMF::summed_over_frames(map), chance.in_space,
+                 common, report);
   }
 
   static void check(const Feature_file& file, const Programs::Animation& animation)
