@@ -122,7 +122,7 @@ std::vector<Feature> detected(std::size_t level_memory, const std::shared_ptr<Am
   const Amf::Frame_sequence<Mesh> sequence(animation.mesh, animation.frames, animation.frame_duration, memory);
   Amf::Calibrated_options options;
   options.level_memory = level_memory;
-  options.selection.relative_threshold = 0;
+  options.selection.absolute_threshold = 0;
   std::vector<Feature> features;
   CGAL::detect_spatio_temporal_features(sequence, std::back_inserter(features), options);
   return features;

@@ -22,6 +22,7 @@
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_weights.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Temporal_weights.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Vectorized_candidate_detector.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/join_equal_extrema.h>
 #include <CGAL/Animated_mesh_features/Animation/largest_value.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
 
@@ -85,13 +86,16 @@ public:
   // Responses that are at most as large are none; default: 0.
   void set_least_response(double least) { m_least_response = least; }
 
+  // All responses at a vertex and space level are multiplied by a factor, [vertex][space level]; default: none.
+  void set_factors(std::vector<float> factors) { m_factors = std::move(factors); }
+
   void set_instruction_set(Instruction_set instructions) { m_instructions = instructions; }
 
   template <class ConcurrencyTag, class FT, class SpatialFilter>
   std::vector<Extremum> run(const Spatio_temporal_field<FT>& field, SpatialFilter& spatial, Any_visitor visitor)
   {
     const Level_weights weights(m_response, m_space_levels, m_time_levels, largest_value(field),
-                                m_least_response);
+                                m_least_response, m_factors);
     Temporal_weights<TemporalFilter> temporal_weights(m_temporal, m_frames, m_time_levels, below + above + 3);
     const auto run_with = [&](std::size_t fitting, const auto& make_detector) {
       return run_batches<ConcurrencyTag>(field, spatial, visitor, weights, temporal_weights, fitting, make_detector);
@@ -171,7 +175,11 @@ private:
       }
       {
         const Stage_scope stage(visitor, Stage::EXTREMA);
-        search(batch, weights, make_detector(batch), search_loop.part(i, batches), temporal_weights, extrema);
+        std::vector<Extremum> found;
+        const auto loop = search_loop.part(i, batches);
+        search(batch, weights, make_detector(batch), loop.part(0, 2), temporal_weights, found);
+        if (joins_equal(m_search)) join(batch, weights, loop.part(1, 2), temporal_weights, found);
+        extrema.insert(extrema.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
       }
       // the next batch begins at batch.last
       for (std::size_t k = batch.first_level(); k < batch.last - 1 - below; ++k)
@@ -277,6 +285,33 @@ private:
     loop.finish();
   }
 
+  // Leaves one of equal extrema that belong together.
+  template <class Loop>
+  void join(const Level_batch& batch, const Level_weights& weights, const Loop& loop,
+            Temporal_weights<TemporalFilter>& temporal_weights, std::vector<Extremum>& extrema) const
+  {
+    const Extrema_of_like_scale like(extrema);
+    std::vector<std::vector<std::size_t>> with_equals(m_time_levels); // by time level
+    for (std::size_t i = 0; i < extrema.size(); ++i)
+      if (like.has_equal(i)) with_equals[extrema[i].l].push_back(i);
+    const Candidate_verifier<TemporalFilter, Search> verifier(m_shape, batch, weights, m_search);
+    std::vector<std::vector<Rest_shape::Index>> reached(extrema.size());
+    for (std::size_t l = 0; l < m_time_levels; ++l) {
+      if (with_equals[l].empty()) continue;
+      const auto level_loop = loop.part(l, m_time_levels);
+      temporal_weights.set_window(l - 1 - below, l + 2 + above, level_loop.part(0, 2));
+      level_loop.part(1, 2)(with_equals[l].size(), [&](std::size_t task) {
+        typename Temporal_weights<TemporalFilter>::Rows rows(temporal_weights);
+        const std::size_t i = with_equals[l][task];
+        const Extremum& e = extrema[i];
+        rows.seek(l - 1 - below, l + 2 + above, e.frame);
+        reached[i] = reached_from(m_shape, e, [&](std::size_t v) { return verifier.response(v, e.k, l, e.frame, rows); });
+      });
+    }
+    join_equal_extrema(m_shape, like, reached, extrema);
+    loop.finish();
+  }
+
   const Rest_shape& m_shape;
   std::size_t m_frames, m_space_levels, m_time_levels;
   const TemporalFilter& m_temporal;
@@ -284,6 +319,7 @@ private:
   const Search& m_search;
   std::size_t m_largest_batch = std::size_t(-1);
   double m_least_response = 0;
+  std::vector<float> m_factors;
   Instruction_set m_instructions = widest_instruction_set();
 };
 

@@ -94,9 +94,16 @@ private:
       const std::size_t clear = candidates.size();
       rows.start(v);
       responses.start(first);
+      Response_pack factors = Response_pack::all(1);
+      if (m_weights.has_factors()) {
+        T numbers[Cascade::pack_size];
+        m_weights.factors(v, numbers);
+        factors = Response_pack::load(numbers);
+      }
       for (std::size_t l = first; l < last; ++l) {
         rows.advance(l);
-        const Response_pack a = Response_pack::load(m_weights.space(l)), b = Response_pack::load(m_weights.time(l));
+        const Response_pack a = Response_pack::load(m_weights.space(l)) * factors;
+        const Response_pack b = Response_pack::load(m_weights.time(l)) * factors;
         responses.push(rows.slack(a, b), Response_pack::load(m_weights.floor(l)),
                        [&](std::size_t f) { return rows.response(a, b, f); });
         if (!responses.can_search()) continue;
