@@ -176,6 +176,7 @@ Response_extrema find_response_extrema(
   engine.set_largest_batch(levels_in_memory > around ? levels_in_memory - around : 1);
   engine.set_least_response(noise);
   engine.set_factors(factors);
+  engine.set_frame_duration(frame_duration);
   for (const internal::Extremum& e : engine.template run<ConcurrencyTag>(field, options.spatial_filter, visitor)) {
     if (!(-e.response() > noise)) continue;
     Response_extremum extremum = internal::refined(e, shape, levels, options, result);

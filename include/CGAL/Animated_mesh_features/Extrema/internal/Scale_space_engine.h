@@ -27,6 +27,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <memory>
@@ -91,23 +92,28 @@ public:
 
   void set_instruction_set(Instruction_set instructions) { m_instructions = instructions; }
 
+  // Seconds, in which the temporal filter has its variances. It only decides in which way candidates are found: without
+  // it, all weights of a row count as different from zero.
+  void set_frame_duration(double seconds) { m_frame_duration = seconds; }
+
   template <class ConcurrencyTag, class FT, class SpatialFilter>
   std::vector<Extremum> run(const Spatio_temporal_field<FT>& field, SpatialFilter& spatial, Any_visitor visitor)
   {
     const Level_weights weights(m_response, m_space_levels, m_time_levels, largest_value(field),
                                 m_least_response, m_factors);
     Temporal_weights<TemporalFilter> temporal_weights(m_temporal, m_frames, m_time_levels, below + above + 3);
+    const std::vector<double> costs = verification_costs();
     const auto run_with = [&](std::size_t fitting, const auto& make_detector) {
       return run_batches<ConcurrencyTag>(field, spatial, visitor, weights, temporal_weights, fitting, make_detector);
     };
     const auto run_cascade = [&](const auto& cascade) {
       typedef std::decay_t<decltype(cascade)> Cascade;
       return run_with(Cascade::largest_batch(below, above), [&](const Level_batch& batch) {
-        return Vectorized_candidate_detector<Cascade>(batch, weights, cascade, m_frames, m_time_levels, m_instructions);
+        return Vectorized_candidate_detector<Cascade>(batch, weights, cascade, m_frames, costs, m_instructions);
       });
     };
     if constexpr (Is_vectorized_filter<TemporalFilter>::value && Searches_strict_minima<Search>::value &&
-                  below + above <= 8) {
+                  below + above <= 5) { // what a pack has room for
       if (m_temporal.has_equal_steps()) return run_cascade(Difference_cascade<TemporalFilter>(m_temporal));
       if (levels_are_far_apart(spatial)) return run_cascade(Level_cascade<float, TemporalFilter>(m_temporal));
       return run_cascade(Level_cascade<double, TemporalFilter>(m_temporal));
@@ -121,6 +127,22 @@ public:
   }
 
 private:
+  // What a candidate costs to be verified, by time level: products with all frames that have a weight, of which the
+  // first few count as 1.
+  std::vector<double> verification_costs() const
+  {
+    constexpr double standard_deviations = 9, unit = 64;
+    std::vector<double> costs;
+    for (std::size_t l = 0; l < m_time_levels; ++l) {
+      double reach = double(m_frames);
+      if constexpr (Is_vectorized_filter<TemporalFilter>::value) // of others all candidates are verified
+        if (m_frame_duration > 0)
+          reach = (std::min)(reach, standard_deviations * std::sqrt(m_temporal.variance(l)) / m_frame_duration);
+      costs.push_back((std::max)(1., reach / unit));
+    }
+    return costs;
+  }
+
   // Whether differences of levels have enough digits in single precision to tell minima from their neighbours. They
   // need the square of the step: a fifth of the logarithm leaves some hundred roundings.
   template <class SpatialFilter>
@@ -318,7 +340,7 @@ private:
   const Response& m_response;
   const Search& m_search;
   std::size_t m_largest_batch = std::size_t(-1);
-  double m_least_response = 0;
+  double m_least_response = 0, m_frame_duration = 0;
   std::vector<float> m_factors;
   Instruction_set m_instructions = widest_instruction_set();
 };
