@@ -43,7 +43,9 @@ same, bit for bit.
 \tparam Options a `Detection_options`.
 \tparam Visitor a model of `DetectionVisitor`.
 
-\param animation the mesh, its frames, the time between them, and the rest shape.
+\param animation the mesh, its frames, the time between them, and the rest shape. The rest shape of a `Frame_sequence` is
+  its first frame; `set_canonical_rest_shape(animation)` takes the average of all frames instead, in about as long as the
+  detection takes: better for what begins in the middle of a motion, if there is no mesh of the body at rest.
 \param out receives the features, strongest first.
 \param options by default `calibrated_options()`.
 \param visitor is told of the progress and may cancel.
