@@ -88,6 +88,29 @@ Eigen::MatrixXd solved(const Ai::Sparse_cholesky<T>& factor, const Eigen::Matrix
   return result;
 }
 
+// Against columns of the identity that are solved for, and against another factorisation.
+void test_diagonal_of_inverse(const Eigen::MatrixXd& a, const Ai::Sparse_cholesky<double>& factor,
+                              const std::vector<double>& inverse, const std::vector<double>& single_inverse)
+{
+  const Eigen::Index n = a.rows();
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(n, n), dense = a.llt().solve(identity);
+  const std::size_t packs = (std::size_t(n) + Ai::Right_hand_sides<double>::pack_size - 1) /
+                            Ai::Right_hand_sides<double>::pack_size;
+  const Eigen::MatrixXd columns = solved(factor, identity, packs, Ai::Instruction_set::BASELINE);
+  const double condition = a.norm() * dense.norm();
+  double error = 0, dense_error = 0, single_error = 0;
+  CHECK(inverse.size() == std::size_t(n) && single_inverse.size() == std::size_t(n));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double x = inverse[std::size_t(i)];
+    error = (std::max)(error, std::abs(x / columns(i, i) - 1));
+    dense_error = (std::max)(dense_error, std::abs(x / dense(i, i) - 1));
+    single_error = (std::max)(single_error, std::abs(single_inverse[std::size_t(i)] / dense(i, i) - 1));
+  }
+  CHECK(error < 1e-10);
+  CHECK(dense_error < 1e-10);
+  CHECK(single_error < 1e-7 * condition);
+}
+
 bool is_permutation_of_all(std::vector<std::uint32_t> order)
 {
   std::vector<std::uint32_t> all(order.size());
@@ -126,6 +149,7 @@ void test_order(const std::string& name, const Graph& graph, const Amf::Compress
   const auto diagonal = [&](std::size_t v) { return a(Eigen::Index(v), Eigen::Index(v)); };
   const auto entry = [&](std::size_t v, std::size_t k) { return a(Eigen::Index(v), Eigen::Index(rows[v].begin()[k])); };
   Eigen::MatrixXd first, first_single;
+  std::vector<double> inverse, single_inverse;
   double error = 0, single_error = 0;
   for (Ai::Instruction_set instructions : instruction_sets()) {
     const Ai::Sparse_cholesky<double> factor(symbolic, diagonal, entry, instructions);
@@ -141,6 +165,13 @@ void test_order(const std::string& name, const Graph& graph, const Amf::Compress
       }
       CHECK(x == first && y == first_single); // the same bits
     }
+    if (inverse.empty()) {
+      inverse = factor.diagonal_of_inverse(instructions);
+      single_inverse = single.diagonal_of_inverse(instructions);
+      test_diagonal_of_inverse(a, factor, inverse, single_inverse);
+    }
+    CHECK(factor.diagonal_of_inverse(instructions) == inverse);
+    CHECK(single.diagonal_of_inverse(instructions) == single_inverse);
   }
   CHECK(error < 1e-16);
   CHECK(single_error < 1e-7);
