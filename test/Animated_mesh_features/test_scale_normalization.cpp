@@ -59,24 +59,30 @@ double largest_difference(const Factors& a, const Factors& b, std::size_t levels
   return difference;
 }
 
-// Against 1 / sqrt(4 pi t k(t)) with the diagonal k of the kernel of (1 + t L)^-2, at the vertices where it holds.
+// Against 1 / sqrt(4 pi t k(t)) with the diagonal k of the kernel of (1 + t L)^-2, at the vertices where it holds. What a
+// mesh of edges e does not have of a surface is felt as about e / sigma; interpolation adds a constant error.
 template <class Kernel>
 void check_factors(const std::string& name, const Shape& s, const std::vector<std::size_t>& vertices,
-                   const Row& variances, double tolerance, const Kernel& kernel)
+                   const Row& variances, const Kernel& kernel)
 {
   const Factors factors = factors_of(s, variances);
+  const double edge = rest_shape_of(s).mean_edge_length();
   CHECK(factors.size() == s.points.size() * variances.size());
-  double low = 0, high = 0;
   for (std::size_t k = 0; k < variances.size(); ++k) {
-    const double t = variances[k] / 2, expected = std::min(1., 1 / std::sqrt(4 * pi * t * kernel(t)));
+    const double t = variances[k] / 2, sigma = std::sqrt(variances[k]);
+    const double expected = std::min(1., 1 / std::sqrt(4 * pi * t * kernel(t)));
+    double low = 0, high = 0;
+    bool is_close = true;
     for (std::size_t v : vertices) {
       const double error = factors[v * variances.size() + k] / expected - 1;
       low = std::min(low, error);
       high = std::max(high, error);
-      CHECK(std::abs(error) < tolerance); // NaN, too
+      is_close = is_close && std::abs(error) < 0.01 + 0.15 * edge / sigma;
     }
+    CHECK(is_close);
+    std::cout << name << ", sigma of " << sigma / edge << " edges: factor " << expected << ", errors from " << low << " to "
+              << high << std::endl;
   }
-  std::cout << name << ": errors of factors from " << low << " to " << high << std::endl;
 }
 
 void test_plane()
@@ -84,18 +90,19 @@ void test_plane()
   Random random(51);
   const auto kernel = [](double t) { return 1 / (4 * pi * t); };
   const Shape regular = regular_plane(70, 80);
-  check_factors("regular plane", regular, {40 * 71 + 35}, variances_at(1, 8), 1e-3, kernel);
-  const Shape irregular = irregular_square(60, random);
+  check_factors("regular plane", regular, {40 * 71 + 35}, variances_at(3, 8), kernel);
+  const int n = 70;
+  const Shape irregular = irregular_square(n, random);
   std::vector<std::size_t> inner;
   for (std::size_t v = 0; v < irregular.points.size(); ++v)
-    if ((irregular.points[v] - Vec(0.5, 0.5, 0)).cwiseAbs().head(2).maxCoeff() < 0.2) inner.push_back(v);
+    if ((irregular.points[v] - Vec(0.5, 0.5, 0)).cwiseAbs().head(2).maxCoeff() < 0.15) inner.push_back(v);
   CHECK(inner.size() > 100);
-  check_factors("irregular plane", irregular, inner, variances_at(3. / 60, 0.12), 0.01, kernel);
-  // half of the surroundings are missing at a straight border, three quarters in a corner
+  check_factors("irregular plane", irregular, inner, variances_at(3.5 / n, 0.1), kernel);
+  // half of the surroundings are missing at a border
   const Row variances = variances_at(4, 8);
   const Factors factors = factors_of(regular, variances);
   for (std::size_t k = 0; k < variances.size(); ++k)
-    CHECK_NEAR(factors[35 * variances.size() + k], 1 / std::sqrt(2.), 0.01);
+    CHECK_NEAR(factors[35 * variances.size() + k], 1 / std::sqrt(2.), 0.03);
 }
 
 // On a cylinder of radius 1 the waves e^(i n phi) e^(i k z):
@@ -105,7 +112,7 @@ void test_tube()
   const int around = 40, rings = 141;
   std::vector<std::size_t> middle;
   for (std::size_t i = 0; i < around; ++i) middle.push_back(rings / 2 * around + i);
-  check_factors("tube", tube(around, rings, 20), middle, variances_at(0.48, 3.5), 0.01, [](double t) {
+  check_factors("tube", tube(around, rings, 20), middle, variances_at(0.48, 4), [](double t) {
     double sum = 1;
     for (int n = 100000; n > 0; --n) sum += 2 * std::pow(1 + t * n * double(n), -1.5);
     return sum / (8 * pi * std::sqrt(t));
@@ -120,7 +127,7 @@ void test_sphere()
   std::vector<std::size_t> all(s.points.size());
   std::iota(all.begin(), all.end(), std::size_t(0));
   const double edge = std::sqrt(4 * pi / double(s.points.size()) / std::sqrt(0.75));
-  check_factors("sphere", s, all, variances_at(3 * edge, 6), 0.02, [](double t) {
+  check_factors("sphere", s, all, variances_at(3 * edge, 6), [](double t) {
     double sum = 0;
     for (int l = 100000; l >= 0; --l) sum += (2 * l + 1) / (4 * pi) * std::pow(1 + t * l * (l + 1.), -2.);
     return sum;
@@ -180,7 +187,8 @@ void test_against_dense_matrices()
     heat.swap(next);
     const double t = variances[k] / 2;
     Eigen::VectorXd mass;
-    const Eigen::MatrixXd inverse = dense_matrix(s, t, mass).llt().solve(Eigen::MatrixXd::Identity(Eigen::Index(n), Eigen::Index(n)));
+    const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(Eigen::Index(n), Eigen::Index(n));
+    const Eigen::MatrixXd inverse = dense_matrix(s, t, mass).llt().solve(identity);
     for (std::size_t v = 0; v < n; ++v) {
       const Eigen::Index i = Eigen::Index(v);
       const double kernel = inverse.col(i).dot(mass.cwiseProduct(inverse.col(i)));
@@ -193,8 +201,8 @@ void test_against_dense_matrices()
   }
   std::cout << "limbs, " << n << " vertices: factors within " << error << " of exact ones, " << low << " to " << high
             << " of those by the heat kernel" << std::endl;
-  CHECK(error < 5e-3);
-  CHECK(low > 0.9 && high < 1.1);
+  CHECK(error < 0.02);
+  CHECK(low > 0.87 && high < 1.17);
 }
 
 void test_invariances()
@@ -266,7 +274,7 @@ void test_parts()
 
   CHECK(factors_of(s, {}).empty());
   CHECK(factors_of(s, {0, 0}) == Factors(2 * n, 1.f));
-  // a level has nearly the same factors whatever the others are
+  // a level has nearly the same factors whatever the others are; the difference is that of the interpolation
   for (std::size_t k = 0; k < variances.size(); ++k) {
     const Factors one = factors_of(s, {variances[k]});
     double change = 0;
@@ -279,8 +287,21 @@ void test_parts()
   CHECK(Amf::Planar_normalization()(rest_shape_of(s), variances, loop).empty());
 }
 
+struct Impatient_visitor : Amf::Default_visitor
+{
+  bool progress(Amf::Stage, double fraction) { return fraction < 0.3; }
+};
+
+void test_cancellation()
+{
+  Impatient_visitor visitor;
+  const Amf::Task_loop<CGAL::Sequential_tag, Impatient_visitor> loop(visitor, Amf::Stage::SCALE_SPACE);
+  CHECK_THROWS(Amf::Cancelled, Amf::Heat_kernel_normalization()(rest_shape_of(sphere(2)), variances_at(0.3, 3), loop), "");
+}
+
 int main()
 {
+  test_cancellation();
   test_plane();
   test_tube();
   test_sphere();

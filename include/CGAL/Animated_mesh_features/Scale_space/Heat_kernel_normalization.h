@@ -11,6 +11,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/simd/run_vectorized.h>
 #include <CGAL/Animated_mesh_features/Scale_space/internal/Geometric_intervals.h>
 #include <CGAL/Animated_mesh_features/Scale_space/internal/Heat_system.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,6 +82,8 @@ public:
   template <class Loop>
   std::vector<float> operator()(const Rest_shape& shape, const std::vector<double>& variances, const Loop& loop) const
   {
+    CGAL_precondition(std::is_sorted(variances.begin(), variances.end()));
+    CGAL_precondition(variances.empty() || variances.front() >= 0);
     std::vector<float> factors(shape.number_of_vertices() * variances.size(), 1);
     const auto smoothed = std::find_if(variances.begin(), variances.end(), [](double s) { return s > 0; });
     const internal::Heat_system system(shape);
@@ -107,7 +110,8 @@ public:
 private:
   typedef internal::Geometric_intervals Intervals;
 
-  // Of t, from one factorisation to the next: with 4, factors are within 0.5 % of what they are with closer ones.
+  // Of t, from one factorisation to the next: with 4, factors are within 2 % of exact ones, mostly within 1 %;
+  // with 3, within 1 %, with 8, within 8 %.
   static constexpr double largest_ratio = 4;
 
   // F = t Z(t) at the nodes, in units of the mean mass, [node][vertex].
