@@ -43,8 +43,8 @@ the heat kernel, 0.89 times for d = 1. The factor is
 \f[ g(v,\sigma) = \min\left(1, \left(4\pi t\,k_t(v,v)\right)^{-1/2}\right), \qquad t = \sigma^2/2 . \f]
 Far inside a surface that is flat at this scale it is 1; on a tube of radius R, at scales beyond its girth,
 \f$(\sigma / (2\sqrt2\,R))^{-1/2}\f$; at a border \f$1/\sqrt2\f$, since there is only half of a disc; and on a component
-of area A, at scales beyond its size, \f$(A/(4\pi t))^{1/2}\f$. On a mesh with a thick and a thin limb it was between 8 %
-less and 7 % more than with the heat kernel of `Heat_diffusion_filter` at scales of at least two edges, and between 12 %
+of area A, at scales beyond its size, \f$(A/(4\pi t))^{1/2}\f$. On a mesh with a thick and a thin limb it was between
+10 % less and 7 % more than with the kernel of `Heat_diffusion_filter` at scales of at least two edges, and between 12 %
 less and 16 % more at all scales from half an edge on.
 
 It is never more than 1. Where \f$\sigma\f$ is less than an edge, heat stays in the area around a vertex, and the kernel is
@@ -58,16 +58,16 @@ small for waves as short as its edges: on flat meshes the factor is 0.92 at 1.4 
              = \frac{d}{dt}\,t\,Z_v(t), \qquad Z(t) = \mathrm{diag}\,(M+tL_c)^{-1}, \f]
 so that \f$4\pi t\,k_t = 4\pi\,dF/d\ln t\f$ with \f$F = t\,Z\f$. The diagonals of the inverses are computed from Cholesky
 factors by the recurrence of \cgalCite{takahashi1973} and \cgalCite{erisman1975}, exactly, without solving for any
-column, for values of t at a ratio of 4 at most. The logarithms of the differences of F are those of its derivative between them,
-up to a term of second order that is taken off, and are interpolated by cubics: g is within 2 % of what it is by the
-matrices of each level, mostly within 1 %.
+column, for values of t at a ratio of 4 at most. The logarithms of the differences of F are those of its derivative
+between them, up to a term of second order that is taken off, and are interpolated by cubics: g is within 2 % of what it
+is by the matrices of each level, mostly within 1 %.
 
 Nothing is random: the same bits for any number of threads and any processor, and up to rounding the same for vertices in
 any order, for the body wherever it is, turned or in another unit of length.
 
 Complexity: a factorisation, and the diagonal of an inverse, which takes about as long, for each factor of 2 in
-\f$\sigma\f$ and two more, some 8 in all; \f$O(N^{1.5})\f$ operations. Memory: the result, as many numbers in double precision as there are of these, times `N`;
-and for each thread a factor, 35 `N` numbers at N = 10,000, 75 `N` at a million, and half of that again.
+\f$\sigma\f$ and two more, some 8 in all; \f$O(N^{1.5})\f$ operations. Memory: `N` numbers in double precision for
+each of them, and for each thread a factor, 35 `N` numbers at N = 10,000, 75 `N` at a million, and less than that again.
 
 \cgalModels{ScaleNormalization}
 
