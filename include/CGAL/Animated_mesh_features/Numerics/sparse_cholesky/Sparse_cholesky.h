@@ -189,7 +189,8 @@ public:
   // The diagonal of A^-1, N numbers in the order of the matrix's rows, computed in double without solving for any column;
   // see Selected_inverse. With any `instructions` they are the same.
   //
-  // Takes about twice as many operations as the factorisation, and its memory again.
+  // Takes twice the operations of the factorisation, on larger blocks: measured, up to a tenth longer with 4,000 to 65,000
+  // rows. Memory: as the factorisation, no more than that of the factor again.
   std::vector<double> diagonal_of_inverse(Instruction_set instructions = widest_instruction_set()) const
   {
     return Selected_inverse(m_symbolic->structure(), instructions).diagonal(m_values.data());

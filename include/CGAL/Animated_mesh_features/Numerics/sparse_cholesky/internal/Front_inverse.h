@@ -49,7 +49,7 @@ struct Front_inverse
     panel = &p;
     values = panel_values;
     below = z_below;
-    inverse.assign(own_columns() * own_columns(), 0.);
+    inverse.resize(own_columns() * own_columns());
     y.resize(own_columns() * (all_columns() - own_columns()));
     front.resize(own_columns() * all_columns());
   }
@@ -58,8 +58,10 @@ struct Front_inverse
   CGAL_ANIMATED_MESH_FEATURES_INLINE void run()
   {
     const std::size_t triangle = Panel::number_of_tiles(panel->width);
-    for (std::size_t j = 0; j < triangle; ++j)
+    for (std::size_t j = 0; j < triangle; ++j) {
+      if (j > 0) std::fill_n(inverse_tile(j) + tile * tile * (j - 1), tile * tile, 0.); // read with the tile before it
       for (std::size_t m = j; m < triangle; ++m) invert_triangle<register_bytes>(j, m);
+    }
     for (std::size_t j = 0; j < triangle; j += 2)
       if (j + 1 < triangle)
         multiply_below<register_bytes, 2>(j);

@@ -55,9 +55,8 @@ public:
     for (std::size_t i = panels.size(); i-- > 0;) {
       cancellation_point();
       const Panel& p = panels[i];
-      m_values.assign(factor + p.values, factor + p.values + p.size());
       m_top -= p.update_size();
-      m_front.set(p, m_values.data(), m_stack.data() + m_top);
+      m_front.set(p, in_double(factor + p.values, p.size()), m_stack.data() + m_top);
       run_reproducibly<double>(m_instructions, m_front);
       for (Index c = 0; c < p.width; ++c)
         result[m_symbolic.original()[p.first + c]] = m_front.row(c)[Panel::tile * c];
@@ -67,6 +66,13 @@ public:
   }
 
 private:
+  static const double* in_double(const double* values, std::size_t) { return values; }
+  const double* in_double(const float* values, std::size_t size)
+  {
+    m_values.assign(values, values + size);
+    return m_values.data();
+  }
+
   // The children of each panel, in postorder.
   void find_children()
   {
@@ -135,7 +141,7 @@ private:
   std::vector<std::size_t> m_first_child; // of each panel, among them
   std::vector<Index> m_local;             // column in the front of each row of the factor that the panel has
   std::vector<Index> m_columns;           // the same for the rows of a child
-  Aligned_vector<double> m_values;
+  Aligned_vector<double> m_values; // of a panel, if the factor is not in double
   Front_inverse m_front;
   Aligned_vector<double> m_stack;
   std::size_t m_top = 0; // of the stack
