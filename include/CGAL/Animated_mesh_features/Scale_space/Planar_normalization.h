@@ -15,14 +15,18 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesScaleSpace
+\ingroup PkgAnimatedMeshFeaturesNormalizations
 
-Takes the surface for a plane at all scales, as the paper does; a model of `ScaleNormalization`.
+The response as it is, which is right where the surface is two-dimensional at the scale of the feature; a model of
+`ScaleNormalization`. Costs nothing.
 
 \cgalModels{ScaleNormalization}
+
+\sa `Heat_kernel_normalization`
 */
-struct Planar_normalization
+class Planar_normalization
 {
+public:
   /// an empty table: all factors are 1.
   template <class Loop>
   std::vector<float> operator()(const Rest_shape&, const std::vector<double>&, const Loop&) const
