@@ -261,6 +261,15 @@ void test_sampled_clip()
     CHECK_NEAR(data.x(3, f), 1 + 0.01 * double(f), 1e-15);
     CHECK(data.y(3, f) == 1 && data.z(3, f) == 0);
   }
+  // without the clip, the node is where it says itself
+  typedef std::array<double, 3> P;
+  CHECK((data.bind_points == std::vector<P>{{{0, 0, 0}}, {{1, 0, 0}}, {{0, 1, 0}}, {{1, 1, 0}}}));
+  Model resting = square();
+  resting.nodes[0].translation = {{5, 0, 2}};
+  const auto rest = IO::sample_clip<double>(resting, sampling, "file");
+  CHECK((rest.bind_points == std::vector<P>{{{5, 0, 2}}, {{6, 0, 2}}, {{5, 1, 2}}, {{6, 1, 2}}}) && rest.x(3, 0) == 1);
+  resting.nodes[0].translation[1] = std::numeric_limits<double>::infinity();
+  CHECK(IO::sample_clip<double>(resting, sampling, "file").bind_points.empty());
   // before it is evaluated, asked about what is left at least
   std::vector<std::size_t> asked;
   const auto refuse = [&](std::size_t n, std::size_t f) -> std::shared_ptr<Field_memory> {

@@ -349,6 +349,52 @@ void test_generic_deformation()
   CHECK(difference(canonical<float>(mesh, frames), result) < 1e-3 * length);
 }
 
+// Tells how far it was, in order.
+struct Fractions
+{
+  std::vector<double> told;
+  void begin(Amf::Stage) {}
+  bool progress(Amf::Stage, double fraction)
+  {
+    told.push_back(fraction);
+    return true;
+  }
+  void end(Amf::Stage) {}
+};
+
+// The same bits by one thread and by all, in another order of faces, with a component that many threads work on and
+// others that one does; and the way there is told from 0 to 1.
+void test_threads()
+{
+  Shape s = tube(40, 40, 10);
+  const int n = int(s.points.size());
+  CHECK(s.faces.size() > 2000);
+  for (int i = 1; i < 4; ++i) {
+    const Shape ball = sphere(1);
+    const int first = int(s.points.size());
+    for (const Vec& p : ball.points) s.points.push_back(p + Vec(5 * i, 0, 0));
+    for (const auto& f : ball.faces) s.faces.push_back({{f[0] + first, f[1] + first, f[2] + first}});
+  }
+  std::vector<Points> frames;
+  for (int f = 0; f < 5; ++f)
+    frames.push_back(mapped(s.points, [f](const Vec& p) { return bent(Vec(p[0], p[1] * (1 + 0.1 * f), p[2]), 0.05 * f); }));
+  const Mesh mesh = mesh_of(s);
+  const Amf::Frame_sequence<Mesh> sequence(mesh, frames_of(frames), 1. / 30);
+  Fractions fractions;
+  const Points all = Amf::canonical_shape<CGAL::Parallel_if_available_tag>(sequence.rest_shape(), sequence.trajectories(),
+                                                                           fractions);
+  const Points one = Amf::canonical_shape<CGAL::Sequential_tag>(sequence.rest_shape(), sequence.trajectories());
+  CHECK(all == one);
+  CHECK(all == canonical(mesh_of(s, true), frames));
+  CHECK(std::is_sorted(fractions.told.begin(), fractions.told.end()));
+  CHECK(fractions.told.size() > 10 && fractions.told.front() == 0 && fractions.told.back() == 1);
+  // what else there is makes no difference to a component, but for the rounding of its order of elimination
+  const Shape alone = {part(s.points, 0, std::size_t(n)), tube(40, 40, 10).faces};
+  std::vector<Points> frames_alone;
+  for (const Points& f : frames) frames_alone.push_back(part(f, 0, std::size_t(n)));
+  CHECK(largest_move(canonical(mesh_of(alone), frames_alone), part(all, 0, std::size_t(n))) < 1e-9);
+}
+
 void test_hinge()
 {
   // Bent by 90 degrees to one side, then to the other: the unit vectors of the angles cancel, the middle is flat.
@@ -420,6 +466,7 @@ int main()
   test_parts();
   test_pulsating_sphere();
   test_generic_deformation();
+  test_threads();
   test_hinge();
   test_overflow();
   test_cancelled();

@@ -331,11 +331,50 @@ rm -f x.json
 expect 0 "" c.obj c.pc2 -o x.json
 check 'p(x)["fps"] == 30 and near(x["animation"]["frame_duration"], 1 / 30)'
 
+# What counts as undeformed: by default the mesh of the pair, which is no frame of the run.
+check 'p(base)["rest"] == "mesh" and p(base)["rest_factor"] == 1 and p(base)["rescale_rest"] is False'
+expect 0 "against the mesh c.obj (given with the frames), computed in" c.obj c.pc2 --fps 10 -o x.json
+find_features --rest mesh
+cmp -s x.json base.json || fail "--rest mesh is not the default"
+find_features --rest c.obj
+check 'x["features"] == base["features"] and p(x)["rest"] == "c.obj"'
 differs --rest average
 check 'p(x)["rest"] == "average"'
+cp x.json averaged.json
+differs --rest first
+cp x.json begun.json
+find_features --rest frame:0
+check 'x["features"] == begun["features"] and p(x)["rest"] == "frame:0" == p(begun)["rest"]'
+# Only frames: their average. A mesh that is one of them says nothing that they do not.
+python3 tool.py frames c "$(seq -s, -f 'f%g.obj' 0 15)"
+expect 0 "against the average of all frames (there are only frames)" f{0..15}.obj --fps 10 -o x.json
+check 'where(x) == where(averaged) and p(x)["rest"] == "average"'
+for f in 0 7; do
+  expect 0 "against the average of all frames (the mesh f$f.obj is frame $f)" f$f.obj c.pc2 --fps 10 -o x.json
+  check 'where(x) == where(averaged) and p(x)["rest"] == "average"'
+done
+# But the first frame is undeformed, if the motion begins there from rest.
+"$generator" cylinder --vertices 300 --fps 10 -o bend >/dev/null || fail "make_animation"
+expect 0 "against frame 0 (the mesh bend.obj, from which the motion begins at rest)" bend.obj bend.pc2 -o x.json
+check 'p(x)["rest"] == "frame:0"'
+rm x.json
+usage "goes with a mesh and a point cache" f{0..15}.obj --rest mesh -o x.json
+usage "goes with an animated model" c.obj c.pc2 --rest bind -o x.json
+usage "--rescale-rest" c.obj c.pc2 --rest average --rescale-rest
+# A mesh in another unit is scaled, of which the user is told, unless it was asked for as it is.
+awk '/^v / { printf "v %.9g %.9g %.9g\n", 25.4 * $2, 25.4 * $3, 25.4 * $4; next } 1' c.obj >large.obj
+expect 0 "the mesh large.obj, the rest shape, is in another unit: it is scaled by 0.039" large.obj c.pc2 --fps 10 -o x.json
+check 'near(p(x)["rest_factor"], 1 / 25.4, 0.02) and p(x)["rescale_rest"] is True and p(x)["rest"] == "mesh"'
+cp x.json scaled.json
+rm x.json
+input "--rescale-rest" large.obj c.pc2 --rest mesh -o x.json
+expect 0 "" large.obj c.pc2 --fps 10 --rest mesh --rescale-rest -o x.json
+check 'x["features"] == scaled["features"]'
+# One that is unlike all frames: a body that is twice as wide.
+awk '/^v / { print "v", 2 * $2, $3, $4; next } 1' c.obj >wide.obj
+expect 0 "the mesh wide.obj, the rest shape, is unlike all frames: its edges differ by" wide.obj c.pc2 --fps 10 -o x.json
 differs --rest frame:7
 # the mesh of frame 7 is frame 7
-python3 tool.py frames c "$(seq -s, -f 'f%g.obj' 0 15)"
 cp x.json frame7.json
 find_features --rest f7.obj
 check 'all(near(f[k], g[k], 1e-6) for f, g in zip(x["features"], frame7["features"]) for k in ("sigma", "strength"))'
@@ -346,7 +385,7 @@ rm -f x.json
 input "--rescale-rest" c.obj c.pc2 --rest inches.obj -o x.json
 grep -q "inches.obj.*0\.0393" err || fail "no ratio or file in: $(cat err)"
 find_features --rest inches.obj --rescale-rest
-check 'where(x) == where(base) and near(p(x)["rest_factor"], 1 / 25.4, 1e-4)'
+check 'where(x) == where(begun) and near(p(x)["rest_factor"], 1 / 25.4, 1e-4)'
 
 differs --preset published
 check '[p(x)[k] for k in ("strain", "curvature", "spatial_filter", "temporal_filter", "suppression")] ==
@@ -499,15 +538,17 @@ grep -q '#.*%.*extrema' seen || fail "no progress bar on a terminal"
 python3 tool.py terminal "$program" c.obj c.pc2 -o x.json --quiet >seen || fail "quietly on a terminal"
 [[ ! -s seen ]] || fail "--quiet is not quiet on a terminal"
 
-expect 0 "d.npy" c.obj c.pc2 --fps 10 -o x.json --write-field strain:s.npy --write-field curvature:k.npy \
+expect 0 "" c.obj c.pc2 --fps 10 --rest first -o x.json
+cp x.json rest_first.json
+expect 0 "d.npy" c.obj c.pc2 --fps 10 --rest first -o x.json --write-field strain:s.npy --write-field curvature:k.npy \
   --write-field deformation:d.npy
-cmp -s x.json base.json || fail "other features when fields are written"
+cmp -s x.json rest_first.json || fail "other features when fields are written"
 check "npy('s.npy')[0] == ($vertices, $frames)"
 check 'all(abs(s + 7 * k - d) < 1e-5 for s, k, d in zip(npy("s.npy")[1], npy("k.npy")[1], npy("d.npy")[1]))'
 check 'min(npy("k.npy")[1]) >= 0 and max(npy("k.npy")[1]) > 0.001 and max(npy("s.npy")[1]) > 0.01'
 # in the first frame, the rest shape, nothing is deformed
 check "max(npy('d.npy')[1][::$frames]) < 1e-5"
-expect 0 "" c.obj c.pc2 --alpha 0 --write-field curvature:k0.npy -o x.json
+expect 0 "" c.obj c.pc2 --rest first --alpha 0 --write-field curvature:k0.npy -o x.json
 cmp -s k.npy k0.npy || fail "the curvature depends on its weight"
 
 # Scenes; what is in them is tested elsewhere.
@@ -548,9 +589,9 @@ no_temporaries
 # Frames in natural order, in a folder and one by one, are the same animation.
 mkdir frames
 (cd frames && python3 ../tool.py frames ../c "$(seq -s, -f 'walk%g.obj' 1 16)")
-expect 0 "" frames --fps 10 -o x.json
+expect 0 "" frames --fps 10 --rest c.obj -o x.json
 check 'x["features"] == base["features"]'
-expect 0 "" frames/walk*.obj --fps 10 -o x.json
+expect 0 "" frames/walk*.obj --fps 10 --rest c.obj -o x.json
 check 'x["features"] == base["features"]'
 expect 0 "" c.pc2 c.obj --fps 10 -o x.json
 check 'x["features"] == base["features"]'
@@ -558,11 +599,11 @@ check 'x["features"] == base["features"]'
 # Numbers have signs where some names have none; what does not belong to the series is told.
 mkdir signed && (cd signed && python3 ../tool.py frames ../c "$(seq -s, -f 'sim%g.obj' -5 10)")
 cp c.obj signed/template.obj
-expect 0 "not among the 16 frames, to whose series the name does not belong: template.obj" signed --fps 10 -o x.json
+expect 0 "not among the 16 frames, to whose series the name does not belong: template.obj" signed --fps 10 --rest c.obj -o x.json
 grep -q "read as numbers with signs, from sim-5.obj to sim10.obj" err || fail "signs in names: $(cat err)"
-grep -q " in 16 frames, computed in" err || fail "the number of frames is not told: $(cat err)"
+grep -q " in 16 frames against c.obj, computed in" err || fail "the number of frames is not told: $(cat err)"
 check 'x["features"] == base["features"]'
-expect 0 "" frames/walk{1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16}.obj --as-given --fps 10 -o x.json
+expect 0 "" frames/walk{1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16}.obj --as-given --fps 10 --rest c.obj -o x.json
 check 'x["features"] == base["features"] and p(x)["as_given"] is True'
 rm x.json
 input "walk9.obj: follows walk7.obj, but 1 of the series is missing" frames/walk{1..7}.obj frames/walk{9..16}.obj -o x.json

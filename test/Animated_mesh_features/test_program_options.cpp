@@ -153,12 +153,17 @@ void test_method()
 
 void test_reading()
 {
-  CHECK(*parsed({}).reading.rest.frame == 0);
-  CHECK(*parsed({"--rest", "frame:7"}).reading.rest.frame == 7);
-  const Rest_choice average = parsed({"--rest", "average"}).reading.rest;
-  CHECK(!average.frame && average.file.empty());
+  CHECK(parsed({}).reading.rest.kind == Rest::BY_INPUT);
+  const Rest_choice frame = parsed({"--rest", "frame:7"}).reading.rest;
+  CHECK(frame.kind == Rest::FRAME && frame.frame == 7);
+  const Rest_choice first = parsed({"--rest", "first"}).reading.rest;
+  CHECK(first.kind == Rest::FRAME && first.frame == 0);
+  CHECK(parsed({"--rest", "average"}).reading.rest.kind == Rest::AVERAGE);
+  CHECK(parsed({"--rest", "mesh"}).reading.rest.kind == Rest::MESH);
+  const Rest_choice bind = parsed({"--rescale-rest", "--rest", "bind"}).reading.rest;
+  CHECK(bind.kind == Rest::BIND && bind.file.empty() && bind.rescale);
   const Rest_choice file = parsed({"--rest", "standing.obj", "--rescale-rest"}).reading.rest;
-  CHECK(!file.frame && file.file == "standing.obj" && file.rescale);
+  CHECK(file.kind == Rest::FILE && file.file == "standing.obj" && file.rescale);
 }
 
 void test_fields()

@@ -19,6 +19,6 @@ done
 enter_empty_folder
 
 "$generator" figure --vertices 1000 --fps 10 -o c >/dev/null &&
-  "$program" c.obj c.pc2 --fps 10 --quiet -o features.json --vtk scene --write-field strain:strain.npy \
+  "$program" c.obj c.pc2 --fps 10 --rest first --quiet -o features.json --vtk scene --write-field strain:strain.npy \
     --write-field curvature:curvature.npy --write-field deformation:deformation.npy &&
   "$python" "$tests/scene_files/check_vtk.py" scene c features.json

@@ -8,10 +8,7 @@
 
 #include "reading/Model_file.h"
 
-#include <CGAL/Animated_mesh_features/Animation/Canonical_shape.h>
-#include <CGAL/Animated_mesh_features/IO/check_same_connectivity.h>
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
-#include <CGAL/Animated_mesh_features/IO/read_mesh.h>
 #include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
@@ -130,40 +127,6 @@ void check_size(const Sequence& sequence, const std::string& frame)
                            " nothing can be computed: another unit of length is needed");
 }
 
-// Takes the rest shape from a file; returns by what it was multiplied.
-double set_rest_file(const Reading_options& o, const File_data& data, Sequence& sequence)
-{
-  const std::string& file = o.rest.file;
-  const AMF::IO::Indexed_mesh rest = AMF::IO::read_mesh(file, mesh_reading_options(o));
-  const bool is_file_mesh = data.file_mesh.points.empty();
-  AMF::IO::check_same_connectivity(is_file_mesh ? data.mesh : data.file_mesh, data.sources.front(), rest, file);
-  std::vector<Sequence::Point_3> points;
-  for (std::size_t v = 0; v < data.mesh.points.size(); ++v) {
-    const auto& p = rest.points[is_file_mesh ? v : data.origins.file_vertices[data.origins.first[v]]];
-    points.emplace_back(p[0], p[1], p[2]);
-  }
-  try {
-    return sequence.set_rest_shape(points, o.rest.rescale ? AMF::Rest_unit::RESCALE : AMF::Rest_unit::CHECK);
-  } catch (const AMF::Input_error& e) {
-    throw AMF::Input_error(file + ": " + e.what());
-  }
-}
-
-// The same for all kinds of rest shapes.
-double set_rest(const Reading_options& o, const File_data& data, Sequence& sequence)
-{
-  if (!o.rest.file.empty()) return set_rest_file(o, data, sequence);
-  if (!o.rest.frame) {
-    AMF::set_canonical_rest_shape(sequence);
-    return 1;
-  }
-  if (*o.rest.frame >= data.frames)
-    throw AMF::Option_error("--rest " + o.rest.text + ": there is no such frame; frames are 0 to " +
-                            std::to_string(data.frames - 1));
-  if (*o.rest.frame != 0) sequence.set_rest_frame(*o.rest.frame); // it is the first already
-  return 1;
-}
-
 // Which vertices default lengths are measured by is surprising if it is not all of them.
 void add_notice_of_stiff_parts(const AMF::Rest_shape& shape, std::vector<std::string>& notices)
 {
@@ -203,7 +166,7 @@ Animation::Animation(const Reading_options& options, const AMF::IO::Memory_choos
   m_mesh = AMF::IO::to_surface_mesh(data.mesh, data.sources.front());
   m_sequence.emplace(m_mesh, std::move(data.x), std::move(data.y), std::move(data.z), 1 / m_frames_per_second);
   check_size(*m_sequence, data.frame_name(0));
-  m_rest_factor = set_rest(options, data, *m_sequence);
+  m_rest = take_rest(options, data, m_is_sampled, *m_sequence, m_notices);
   add_notice_of_stiff_parts(m_sequence->rest_shape(), m_notices);
   m_origins = std::move(data.origins);
 }

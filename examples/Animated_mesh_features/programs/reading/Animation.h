@@ -9,6 +9,7 @@
 
 #include "reading/Reading_options.h"
 #include "reading/Sequence.h"
+#include "reading/take_rest.h"
 
 #include <CGAL/Animated_mesh_features/IO/Memory_chooser.h>
 #include <CGAL/Animated_mesh_features/IO/Vertex_origins.h>
@@ -54,8 +55,8 @@ public:
   // what the user is to be told of the reading in any case
   const std::vector<std::string>& notices() const { return m_notices; }
 
-  // by which the rest shape was multiplied
-  double rest_factor() const { return m_rest_factor; }
+  // which rest shape was taken, and why
+  const Taken_rest& rest() const { return m_rest; }
 
 private:
   Mesh m_mesh;
@@ -65,7 +66,7 @@ private:
   std::vector<std::string> m_clips, m_remarks, m_notices, m_files;
   std::string m_clip_name;
   CGAL::Animated_mesh_features::IO::Vertex_origins m_origins;
-  double m_rest_factor = 1;
+  Taken_rest m_rest;
 };
 
 } // namespace Programs

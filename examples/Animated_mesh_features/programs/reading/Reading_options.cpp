@@ -10,6 +10,9 @@
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
+#include <map>
+#include <string>
+
 namespace AMF = CGAL::Animated_mesh_features;
 using AMF::Option_error;
 
@@ -20,12 +23,20 @@ namespace {
 void set_rest(const Argument& argument, Rest_choice& rest)
 {
   const std::string frame = "frame:";
+  const bool rescale = rest.rescale;
+  rest = Rest_choice();
+  rest.rescale = rescale;
   rest.text = argument.text();
-  rest.frame.reset();
-  if (rest.text.compare(0, frame.size(), frame) == 0)
+  if (rest.text.compare(0, frame.size(), frame) == 0) {
+    rest.kind = Rest::FRAME;
     rest.frame = Argument("--rest frame:N", rest.text.substr(frame.size())).count();
-  else if (rest.text != "average")
-    rest.file = rest.text;
+    return;
+  }
+  const std::map<std::string, Rest> kinds = {
+      {"first", Rest::FRAME}, {"mesh", Rest::MESH}, {"bind", Rest::BIND}, {"average", Rest::AVERAGE}};
+  const auto found = kinds.find(rest.text);
+  rest.kind = found == kinds.end() ? Rest::FILE : found->second;
+  if (rest.kind == Rest::FILE) rest.file = rest.text;
 }
 
 void add_clip_options(Option_group& group, Reading_options& o)
@@ -72,11 +83,12 @@ void add_reading_options(Option_group& group, Reading_options& o)
       });
   add_clip_options(group, o);
   group.add("rest", "SHAPE",
-            "the undeformed shape: a mesh FILE of the same connectivity, frame:N counted from 0, or average, the "
-            "canonical shape of all frames (default: frame:0)",
+            "the undeformed shape: a mesh FILE of the same connectivity; mesh, the one given with a point cache; bind, a "
+            "model without any clip; first, the first frame; frame:N, counted from 0; average, the canonical shape of "
+            "all frames (default: mesh, unless it is one of the frames; bind, likewise; else average)",
             [&](const Argument& a) { set_rest(a, o.rest); });
   group.add_switch("rescale-rest", o.rest.rescale,
-                   "scale the rest FILE so that its median edge is as long as that of the frames");
+                   "scale the rest FILE, mesh or bind so that its median edge is as long as that of the frames");
   group.add_switch(
       "as-given", o.as_given,
       "take MESH MESH... as the frames in the order in which they are given, whatever numbers are in their "
@@ -127,8 +139,8 @@ void check(const Reading_options& o)
   if (o.inputs.empty())
     throw Option_error(
         "no input: give a mesh and a point cache, a folder, a mesh for each frame, or an animated model");
-  if (o.rest.rescale && o.rest.file.empty())
-    throw Option_error("--rescale-rest needs a rest shape from a file: --rest FILE");
+  if (o.rest.rescale && o.rest.kind != Rest::FILE && o.rest.kind != Rest::MESH && o.rest.kind != Rest::BIND)
+    throw Option_error("--rescale-rest needs a rest shape that may be in another unit: --rest FILE, mesh or bind");
 }
 
 std::string input_help()
@@ -141,8 +153,8 @@ std::string input_help()
                 .dae, .x) as well as assimp can read them (best effort: compare with what you expect)
   SEQUENCE      an HDF5 file (.h5, .hdf5) as D-FAUST's: vertices x 3 x frames, and triangles x 3
 All frames have the same connectivity, a manifold of triangles, possibly with border. Results count vertices and frames
-from 0; lengths are in the unit of the input, times in seconds. "The diagonal" is that of the bounding box of the rest
-shape.
+from 0; lengths are in the unit of the input, times in seconds. The diameter is the largest distance of
+two points of the rest shape.
 )";
 }
 

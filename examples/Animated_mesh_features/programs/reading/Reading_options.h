@@ -20,13 +20,24 @@ namespace Programs {
 
 class Option_group;
 
-// The undeformed shape: a mesh file, or a frame, or else the average of all frames.
+// Which shape is the undeformed one.
+enum class Rest
+{
+  BY_INPUT, // what suits the kind of input
+  FRAME,    // one of the animation
+  MESH,     // the mesh that is given with a point cache
+  BIND,     // an animated model without any clip
+  AVERAGE,  // the canonical shape of all frames
+  FILE      // another mesh
+};
+
 struct Rest_choice
 {
-  std::string text = "frame:0";         // as it was given
-  std::string file;                     // empty: none
-  std::optional<std::size_t> frame = 0; // counted from 0
-  bool rescale = false;                 // scale the file so that its edges are as long as those of the frames
+  Rest kind = Rest::BY_INPUT;
+  std::string text;      // as it was given
+  std::string file;      // of FILE
+  std::size_t frame = 0; // of FRAME, counted from 0
+  bool rescale = false;  // scale it so that its edges are as long as those of the frames
 };
 
 // What is done with coincident vertices of a mesh.

@@ -30,9 +30,11 @@ std::string animation_report(const Reading_options& options, const Animation& an
   if (!animation.clips().empty())
     os << "clips: " << AMF::IO::clip_list(animation.clips()) << "; this is " << animation.clip_name() << '\n';
   for (const std::string& remark : animation.remarks()) os << "file: " << remark << '\n';
-  os << "rest shape: " << options.rest.text << ", bounding-box diagonal " << shape.bounding_box_diagonal()
+  os << "rest shape: " << animation.rest().name;
+  if (options.rest.kind == Rest::BY_INPUT) os << ", as " << animation.rest().reason;
+  os << ", bounding-box diagonal " << shape.bounding_box_diagonal()
      << ", mean edge length " << shape.mean_edge_length();
-  if (options.rest.rescale) os << ", scaled by " << animation.rest_factor();
+  if (animation.rest().is_scaled) os << ", scaled by " << animation.rest().factor;
   os << "\nmesh: " << counted(r.connected_components, "component", "components") << ", "
      << counted(r.border_edges, "border edge", "border edges") << ", "
      << counted(r.isolated_vertices, "isolated vertex", "isolated vertices") << ", "
@@ -79,9 +81,10 @@ void add_reading_parameters(AMF::IO::Result_description& d, const Reading_option
          o.there_and_back ? (frames + 1) / 2 : frames);
   add_if(animation.is_sampled(), d, "there_and_back", o.there_and_back);
   add_if(!o.faces_dataset.empty(), d, "faces", o.faces_dataset);
-  d.add("rest", o.rest.text);
-  d.add("rescale_rest", o.rest.rescale);
-  d.add("rest_factor", animation.rest_factor());
+  const Taken_rest& rest = animation.rest();
+  d.add("rest", rest.text);
+  d.add("rescale_rest", rest.is_scaled);
+  d.add("rest_factor", rest.factor);
 }
 
 } // namespace Programs

@@ -12,6 +12,7 @@
 #include <CGAL/Animated_mesh_features/IO/Vertex_origins.h>
 #include <CGAL/Animated_mesh_features/IO/file_format.h>
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -33,6 +34,10 @@ struct Animation_file_data
 
   /// `F`
   std::size_t frames = 0;
+
+  /// where the vertices of an animated model are without any clip, its bind pose as a rule; empty for other inputs, and if
+  /// a position is not finite.
+  std::vector<std::array<double, 3>> bind_points;
 
   /// the time of each frame (s) if the file tells it (MDD, clips of models), else empty.
   std::vector<double> times;

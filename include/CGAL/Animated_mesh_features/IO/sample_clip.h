@@ -12,10 +12,12 @@
 #include <CGAL/Animated_mesh_features/IO/Memory_chooser.h>
 #include <CGAL/Animated_mesh_features/IO/Coincident_vertices.h>
 #include <CGAL/Animated_mesh_features/IO/Keyframed_model.h>
+#include <CGAL/Animated_mesh_features/IO/Keyframed_model_evaluator.h>
 #include <CGAL/Animated_mesh_features/IO/Vertex_origins.h>
 #include <CGAL/Animated_mesh_features/IO/check_frames.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Clip_frames.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Field_filler.h>
+#include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
 #include <CGAL/Animated_mesh_features/IO/internal/welding_remarks.h>
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
 #include <CGAL/Animated_mesh_features/IO/weld_surface.h>
@@ -84,6 +86,22 @@ inline std::size_t fewest_vertices(const std::vector<std::array<std::size_t, 3>>
   return std::size_t(std::count(is_used.begin(), is_used.end(), 1));
 }
 
+// Where vertices are without any clip; `source` has a vertex of the file for each of them. Empty, if a position is not
+// finite.
+inline Clip_frames::Points bind_points(const Keyframed_model& model, const std::vector<std::size_t>& source,
+                                       const std::string& file)
+{
+  const Keyframed_model::Clip no_clip;
+  Clip_frames::Points points, taken;
+  Keyframed_model_evaluator(model, no_clip, file)(0, points);
+  for (std::size_t v : source) {
+    for (double x : points[v])
+      if (!is_finite(x)) return Clip_frames::Points();
+    taken.push_back(points[v]);
+  }
+  return taken;
+}
+
 // Fills the coordinates of `data`, which has its surface already; `source` has a vertex of the file for each vertex.
 template <class ConcurrencyTag, class FT>
 void fill_frames(const Clip_frames& frames, const std::vector<std::size_t>& source,
@@ -116,7 +134,7 @@ void fill_frames(const Clip_frames& frames, const std::vector<std::size_t>& sour
 /*!
 \ingroup PkgAnimatedMeshFeaturesModels
 
-makes the frames of a clip of an animated model, with vertices welded that the format split: see `Clip_sampling`,
+makes the frames of a clip of an animated model, and its shape without any clip, with vertices welded that the format split: see `Clip_sampling`,
 `Coincident_vertices` and `weld_surface()`. Times are from 0 at the clip's first key.
 
 The clip is evaluated twice, so that nothing of the size of the animation is in memory before `choose_memory` is told the
@@ -165,6 +183,7 @@ Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sam
   std::vector<std::size_t> source(n); // the first of those of the file
   for (std::size_t v = 0; v < n; ++v) source[v] = data.origins.file_vertices[data.origins.first[v]];
   for (std::size_t v : source) data.mesh.points.push_back(first_points[v]);
+  data.bind_points = internal::bind_points(model, source, file);
   internal::fill_frames<ConcurrencyTag>(frames, source, internal::chosen_memory(choose_memory, n, data.frames), data);
   check_frames<ConcurrencyTag>(sampling.skip_bad_frames, data);
   return data;

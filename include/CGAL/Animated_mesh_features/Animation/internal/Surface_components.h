@@ -83,7 +83,7 @@ struct Surface_component
 };
 
 // The components in the order of their smallest vertices; an isolated vertex is one without triangles.
-// Complexity: linear, but for sorting the triangles.
+// Complexity: linear.
 inline std::vector<Surface_component> surface_components(const Rest_shape& shape)
 {
   typedef Rest_shape::Index Index;
@@ -107,11 +107,7 @@ inline std::vector<Surface_component> surface_components(const Rest_shape& shape
   for (std::size_t v = 0; v < component.size(); ++v) result[component[v]].vertices.push_back(Index(v));
   for (std::size_t e = 0; e < shape.edges().size(); ++e)
     result[component[shape.edges()[e].source]].edges.push_back(Index(e));
-  for (std::size_t t = 0; t < shape.triangles().size(); ++t)
-    result[component[shape.triangles()[t][0]]].triangles.push_back(Index(t));
-  for (Surface_component& c : result)
-    std::sort(c.triangles.begin(), c.triangles.end(),
-              [&shape](Index a, Index b) { return shape.triangles()[a] < shape.triangles()[b]; });
+  for (Index t : shape.ordered_triangles()) result[component[shape.triangles()[t][0]]].triangles.push_back(t);
   return result;
 }
 

@@ -10,12 +10,15 @@
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Animation/internal/Edge_measures.h>
 #include <CGAL/Animated_mesh_features/Animation/internal/Surface_components.h>
+#include <CGAL/Animated_mesh_features/Animation/internal/rows_of_vertices.h>
+#include <CGAL/Animated_mesh_features/Numerics/Compressed_rows.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -33,44 +36,51 @@ namespace internal {
 // frames at vertices Y. Lipman et al., Linear rotation-invariant coordinates for meshes, ACM Trans. Graph. 24(3), 2005.
 struct Surface_plan
 {
+  typedef Compressed_rows::Index Index;
+
   struct Triangle
   {
-    std::array<std::size_t, 3> vertices;
+    std::array<Index, 3> vertices;
     unsigned base;                        // the corner at which the longest edge starts; that edge is the first axis
     std::array<Eigen::Vector2d, 3> edges; // from corner k to corner k + 1
     double weight;                        // of its edges when positions are fitted
-    std::array<std::size_t, 3> joints;    // across edge k, or no_joint
+    std::array<Index, 3> joints;          // across edge k, or no_joint
   };
   struct Joint
   {
-    std::size_t left, right;
+    Index left, right;
     double weight; // length^2, as the squared edges have
     Eigen::Matrix3d transition;
   };
-  static constexpr std::size_t no_joint = std::size_t(-1);
+  static constexpr Index no_joint = Rest_shape::none;
 
   // Slivers count less, as their normals are easily upset, but they do count, as a vertex may have no other triangles.
   static constexpr double least_weight = 1e-3;
 
   std::size_t number_of_vertices;
-  std::vector<Triangle> triangles;
+  std::vector<Triangle> triangles;        // by colour: no two of a colour are neighbours
+  std::vector<std::size_t> colours;       // where each colour starts in `triangles`, and the end
+  std::vector<Rest_shape::Index> original; // of each triangle, the one of the shape
   std::vector<Joint> joints;
-  double squared_length = 0; // the sum over all triangles and their edges
+  Compressed_rows corners;                // of the triangles, around each vertex: 3 * triangle + corner
+  double squared_length = 0;              // the sum over all triangles and their edges
 
-  // `rank` is scratch, of at least as many elements as the shape has vertices or triangles.
+  // `rank_of_vertex` and `rank_of_triangle` are scratch, with an element for each of the shape, of which those of the
+  // component are used.
   Surface_plan(const Rest_shape& shape, const Triangle_adjacency& adjacency, const Surface_component& component,
-               const Edge_measures& measures, std::vector<std::size_t>& rank)
+               const Edge_measures& measures, std::vector<Index>& rank_of_vertex, std::vector<Index>& rank_of_triangle)
     : number_of_vertices(component.vertices.size())
   {
-    for (std::size_t i = 0; i < component.vertices.size(); ++i) rank[component.vertices[i]] = i;
-    triangles.reserve(component.triangles.size());
+    sort_by_colour(adjacency, component, rank_of_triangle);
+    for (std::size_t i = 0; i < component.vertices.size(); ++i) rank_of_vertex[component.vertices[i]] = Index(i);
+    triangles.reserve(original.size());
     std::vector<double> areas;
-    areas.reserve(component.triangles.size());
-    for (Rest_shape::Index t : component.triangles) {
+    areas.reserve(original.size());
+    for (Rest_shape::Index t : original) {
       Triangle triangle;
       std::array<double, 3> lengths;
       for (unsigned k = 0; k < 3; ++k) {
-        triangle.vertices[k] = rank[shape.triangles()[t][k]];
+        triangle.vertices[k] = rank_of_vertex[shape.triangles()[t][k]];
         lengths[k] = measures.lengths[adjacency.edges[t][k]];
         triangle.joints[k] = no_joint;
       }
@@ -78,12 +88,39 @@ struct Surface_plan
       for (double l : lengths) squared_length += l * l;
       triangles.push_back(triangle);
     }
-    for (std::size_t i = 0; i < component.triangles.size(); ++i) rank[component.triangles[i]] = i;
+    corners = rows_of_vertices(
+        number_of_vertices, 3 * triangles.size(), [](std::size_t i) { return Index(i); },
+        [this](Index i) { return std::array<Index, 1>{{triangles[i / 3].vertices[i % 3]}}; });
+    for (std::size_t i = 0; i < original.size(); ++i) rank_of_triangle[original[i]] = Index(i);
     for (Rest_shape::Index e : component.edges)
-      if (adjacency.is_interior(e)) join(adjacency.sides[e], measures.lengths[e], measures.angles[e], areas, rank);
+      if (adjacency.is_interior(e)) join(adjacency.sides[e], measures.lengths[e], measures.angles[e], areas, rank_of_triangle);
   }
 
 private:
+  // Each triangle takes the first colour that none of its neighbours has, hence one of four.
+  void sort_by_colour(const Triangle_adjacency& adjacency, const Surface_component& component,
+                      std::vector<Index>& rank)
+  {
+    constexpr Index most_colours = 4;
+    std::array<std::vector<Rest_shape::Index>, most_colours> by_colour;
+    for (Rest_shape::Index t : component.triangles) rank[t] = most_colours;
+    for (Rest_shape::Index t : component.triangles) {
+      std::array<bool, most_colours + 1> is_taken = {};
+      for (unsigned k = 0; k < 3; ++k) {
+        const Rest_shape::Index g = adjacency.neighbour(t, k);
+        if (g != Rest_shape::none && g != t) is_taken[rank[g]] = true;
+      }
+      rank[t] = Index(std::find(is_taken.begin(), is_taken.end(), false) - is_taken.begin());
+      by_colour[rank[t]].push_back(t);
+    }
+    colours.push_back(0);
+    original.reserve(component.triangles.size());
+    for (const std::vector<Rest_shape::Index>& some : by_colour) {
+      original.insert(original.end(), some.begin(), some.end());
+      if (original.size() > colours.back()) colours.push_back(original.size());
+    }
+  }
+
   // Places the triangle by its lengths, longest edge on the first axis. Returns its area.
   static double lay_out(const std::array<double, 3>& lengths, Triangle& triangle)
   {
@@ -103,8 +140,9 @@ private:
   }
 
   void join(const std::array<Triangle_adjacency::Side, 2>& sides, double length, const Eigen::Vector2d& angle,
-            const std::vector<double>& areas, const std::vector<std::size_t>& rank)
+            const std::vector<double>& areas, const std::vector<Index>& rank)
   {
+    if (sides[0].triangle == sides[1].triangle) return; // folded onto itself
     Joint joint;
     joint.left = rank[sides[0].triangle];
     joint.right = rank[sides[1].triangle];
@@ -116,8 +154,8 @@ private:
     Eigen::Matrix3d turn;
     turn << 1, 0, 0, 0, angle.x(), -angle.y(), 0, angle.y(), angle.x();
     joint.transition = about_normal(l) * turn * about_normal(r).transpose();
-    triangles[joint.left].joints[sides[0].corner] = joints.size();
-    triangles[joint.right].joints[sides[1].corner] = joints.size();
+    triangles[joint.left].joints[sides[0].corner] = Index(joints.size());
+    triangles[joint.right].joints[sides[1].corner] = Index(joints.size());
     joints.push_back(joint);
   }
 

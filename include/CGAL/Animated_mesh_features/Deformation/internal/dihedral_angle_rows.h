@@ -8,7 +8,7 @@
 #define CGAL_ANIMATED_MESH_FEATURES_DEFORMATION_INTERNAL_DIHEDRAL_ANGLE_ROWS_H
 
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
-#include <CGAL/Animated_mesh_features/Deformation/internal/Packed_vector.h>
+#include <CGAL/Animated_mesh_features/Deformation/internal/Position_rows.h>
 #include <CGAL/Animated_mesh_features/Numerics/simd/pack_math.h>
 
 #include <cstddef>

@@ -10,7 +10,7 @@
 #include <CGAL/Animated_mesh_features/Animation/Animation_report.h>
 #include <CGAL/Animated_mesh_features/Deformation/Strain_measures.h>
 #include <CGAL/Animated_mesh_features/Animation/Vertex_trajectories.h>
-#include <CGAL/Animated_mesh_features/Deformation/internal/Packed_vector.h>
+#include <CGAL/Animated_mesh_features/Deformation/internal/Position_rows.h>
 #include <CGAL/Animated_mesh_features/Numerics/simd/pack_math.h>
 #include <CGAL/Animated_mesh_features/Numerics/simd/run_vectorized.h>
 

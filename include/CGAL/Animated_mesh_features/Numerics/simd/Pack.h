@@ -20,9 +20,12 @@
   #define CGAL_ANIMATED_MESH_FEATURES_HAS_VECTOR_TYPES 1
   #define CGAL_ANIMATED_MESH_FEATURES_INLINE inline __attribute__((always_inline))
   #define CGAL_ANIMATED_MESH_FEATURES_INLINE_LAMBDA __attribute__((always_inline))
+  // for what a vector loop seldom calls: not compiled anew for each set of instructions
+  #define CGAL_ANIMATED_MESH_FEATURES_NO_INLINE __attribute__((noinline))
 #else
   #define CGAL_ANIMATED_MESH_FEATURES_INLINE inline
   #define CGAL_ANIMATED_MESH_FEATURES_INLINE_LAMBDA
+  #define CGAL_ANIMATED_MESH_FEATURES_NO_INLINE
 #endif
 #if defined(__clang__)
   #define CGAL_ANIMATED_MESH_FEATURES_UNROLL _Pragma("clang loop unroll(full)")

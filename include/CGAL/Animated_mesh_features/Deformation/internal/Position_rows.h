@@ -4,11 +4,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_ANIMATED_MESH_FEATURES_DEFORMATION_INTERNAL_PACKED_VECTOR_H
-#define CGAL_ANIMATED_MESH_FEATURES_DEFORMATION_INTERNAL_PACKED_VECTOR_H
+#ifndef CGAL_ANIMATED_MESH_FEATURES_DEFORMATION_INTERNAL_POSITION_ROWS_H
+#define CGAL_ANIMATED_MESH_FEATURES_DEFORMATION_INTERNAL_POSITION_ROWS_H
 
 #include <CGAL/Animated_mesh_features/Animation/Vertex_trajectories.h>
-#include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
+#include <CGAL/Animated_mesh_features/Numerics/simd/Packed_vector.h>
 
 #include <Eigen/Core>
 
@@ -51,36 +51,6 @@ struct Position_rows
   {}
 };
 
-// Three-dimensional vectors, one for each entry of a pack.
-template <class L>
-struct Packed_vector
-{
-  L x, y, z;
-
-  template <class FT>
-  static CGAL_ANIMATED_MESH_FEATURES_INLINE Packed_vector load(const Position_rows<FT>& p, std::size_t v)
-  {
-    return {L::load(p.x + v * p.stride), L::load(p.y + v * p.stride), L::load(p.z + v * p.stride)};
-  }
-
-  CGAL_ANIMATED_MESH_FEATURES_INLINE L dot(const Packed_vector& b) const { return x * b.x + y * b.y + z * b.z; }
-
-  CGAL_ANIMATED_MESH_FEATURES_INLINE Packed_vector cross(const Packed_vector& b) const
-  {
-    return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x};
-  }
-
-  friend CGAL_ANIMATED_MESH_FEATURES_INLINE Packed_vector operator-(const Packed_vector& a, const Packed_vector& b)
-  {
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-  }
-
-  friend CGAL_ANIMATED_MESH_FEATURES_INLINE Packed_vector operator*(const Packed_vector& a, typename L::Scalar s)
-  {
-    return {a.x * s, a.y * s, a.z * s};
-  }
-};
-
 // Calls a function of the user's, which takes Eigen arrays of a cache line, with packs.
 template <class L, class Function, class... Arguments>
 CGAL_ANIMATED_MESH_FEATURES_INLINE L call_with_arrays(const Function& function, const Arguments&... arguments)
@@ -99,4 +69,4 @@ CGAL_ANIMATED_MESH_FEATURES_INLINE L call_with_arrays(const Function& function, 
 } // namespace Animated_mesh_features
 } // namespace CGAL
 
-#endif // CGAL_ANIMATED_MESH_FEATURES_DEFORMATION_INTERNAL_PACKED_VECTOR_H
+#endif // CGAL_ANIMATED_MESH_FEATURES_DEFORMATION_INTERNAL_POSITION_ROWS_H
