@@ -55,7 +55,7 @@ inline Paired_features paired_features(const std::vector<Placed_feature>& a, con
       nearby.push_back(Compressed_rows::Index(k));
       if (have_same_scales(f, longer[k], gates)) similar.push_back(Compressed_rows::Index(k));
     }
-    near_ones.push_back(nearby.begin(), near.end());
+    near_ones.push_back(nearby.begin(), nearby.end());
     similar_ones.push_back(similar.begin(), similar.end());
   }
   const auto has_partner = [&](const Compressed_rows& partners) {
