@@ -85,7 +85,7 @@ std::vector<Minimum> detect(const Amf::Frame_sequence<Mesh, FT>& sequence,
   std::vector<Minimum> minima;
   for (const auto& f : features)
     minima.push_back({f.vertex_index, f.frame, level(detector.sigma_levels(), f.sigma),
-                      level(detector.tau_levels(), f.tau), f.strength()});
+                      level(detector.tau_levels(), f.tau), f.strength});
   return minima;
 }
 

@@ -259,7 +259,7 @@ void noise(const std::string& path)
         return std::abs(f.rest_position[2] - b.axial_position) < b.axial_deviation() &&
                std::abs(f.time - b.centre_time) < b.temporal_deviation();
       });
-      strengths.back().push_back(is_known ? f.strength() : -f.strength());
+      strengths.back().push_back(is_known ? f.strength : -f.strength);
     }
   }
   Json_file json(path);

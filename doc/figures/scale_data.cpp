@@ -268,7 +268,7 @@ void cylinder(const std::string& path)
   json.add("tau", shown_tau);
   Rows found;
   for (const auto& f : features)
-    found.push_back({f.rest_position[0], f.rest_position[2], f.time, f.sigma, f.tau, f.strength()});
+    found.push_back({f.rest_position[0], f.rest_position[2], f.time, f.sigma, f.tau, f.strength});
   json.add("found", found);
   Rows known;
   for (const auto& b : shape.bends)

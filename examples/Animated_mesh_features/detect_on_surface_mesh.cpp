@@ -38,7 +38,7 @@ int main()
 
   for (const Feature& f : features)
     std::cout << f.vertex << " at " << f.time << " s: height " << f.rest_position[2] << ", radius " << f.radius()
-              << ", duration " << f.tau << " s, strength " << f.strength() << std::endl;
+              << ", duration " << f.tau << " s, strength " << f.strength << std::endl;
   //! [detect]
   return features.empty() ? 1 : 0;
 }

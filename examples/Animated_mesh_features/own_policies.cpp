@@ -239,6 +239,6 @@ int main()
   //! [options]
   for (const auto& f : features)
     std::cout << (f.rest_position[0] < 0 ? "left" : "right") << ", height " << f.rest_position[2] << ", time " << f.time
-              << " s, sigma " << f.sigma << ", tau " << f.tau << " s, strength " << f.strength() << std::endl;
+              << " s, sigma " << f.sigma << ", tau " << f.tau << " s, strength " << f.strength << std::endl;
   return features.empty() ? 1 : 0;
 }

@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
 #include <CGAL/Animated_mesh_features/Animation/as_frame_sequence.h>
 #include <CGAL/Animated_mesh_features/Deformation/Deformation_measurement.h>
+#include <CGAL/Animated_mesh_features/Deformation/subtract_baseline.h>
 #include <CGAL/Animated_mesh_features/Detection/Detection_options.h>
 #include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
 #include <CGAL/Animated_mesh_features/Detection/place_on_animation.h>
@@ -30,7 +31,7 @@ detects the spatio-temporal feature points of an animated mesh: where, when, how
 in a distinctive way.
 
 From the positions follow the strain of the triangles and the change of curvature over geodesic balls, both with respect
-to the rest shape; together they are a deformation for each vertex and frame. Smoothed over the surface and over time by
+to the rest shape; together they are a deformation for each vertex and frame. What never changes is taken from it. Smoothed over the surface and over time by
 Gaussians of many widths, it becomes a scale space, of which the scale-normalised difference of Gaussians has a minimum
 wherever something of just that size and duration happens. The method starts from that of
 Mykhalchuk, Seo and Cordier \cgalCite{mykhalchuk2014}.
@@ -87,6 +88,7 @@ OutputIterator detect_spatio_temporal_features(const Animation& animation,
     deformation = measurement.take_deformation(visitor);
     noise = measurement.noise();
   }
+  Amf::subtract_baseline(deformation, options.baseline);
   Amf::Feature_detector<FT, Search, ConcurrencyTag> detector(sequence.rest_shape(), std::move(deformation),
                                                              sequence.frame_duration(), options, noise);
   detector.selection() = options.selection;

@@ -221,6 +221,115 @@ double euclid(const Point& p, const Point& q)
   return std::sqrt(CGAL::squared_distance(p, q));
 }
 
+typedef Amf::Feature_detector<double>::Feature Feature;
+
+std::vector<Feature> found(const Mesh& mesh, const Amf::Spatio_temporal_field<double>& field, double duration,
+                           const Amf::Calibrated_options& options)
+{
+  const Amf::Rest_shape shape = Amf::rest_shape_of_mesh(mesh);
+  Amf::Feature_detector<double, Amf::Calibrated_options> detector(shape, field, duration, options);
+  std::vector<Feature> features;
+  detector(std::back_inserter(features));
+  return features;
+}
+
+// Amplitude and strength of an event do not depend on the range of scales, the length of the clip or its frame rate.
+void test_strength(const Mesh& ball)
+{
+  const Blob blob = {on_sphere(0.5, 0.3), 0.8, 0.13, 0.11, 0.6};
+  const auto field = field_of(ball, {blob}, great_circle);
+  std::vector<Feature> all;
+  const auto add = [&](const Amf::Spatio_temporal_field<double>& f, double duration, double sigma_max, double tau_max) {
+    Amf::Calibrated_options options;
+    options.sampling.sigma = {0.05, sigma_max};
+    options.sampling.tau = {0.04, tau_max};
+    const std::vector<Feature> features = found(ball, f, duration, options);
+    CHECK(features.size() == 1);
+    all.insert(all.end(), features.begin(), features.end());
+  };
+  add(field, frame_duration, 0.3, 0.3);
+  add(field, frame_duration, 0.2, 0.3);
+  add(field, frame_duration, 0.6, 0.2);
+  Amf::Spatio_temporal_field<double> part(field.number_of_rows(), 36), coarse(field.number_of_rows(), frames / 2);
+  for (std::size_t v = 0; v < field.number_of_rows(); ++v) {
+    for (std::size_t f = 0; f < 36; ++f) part(v, f) = field(v, f + 6);
+    for (std::size_t f = 0; f < frames / 2; ++f) coarse(v, f) = field(v, 2 * f);
+  }
+  add(part, frame_duration, 0.3, 0.3);
+  add(coarse, 2 * frame_duration, 0.3, 0.3);
+  for (const Feature& f : all) {
+    CHECK_NEAR(f.amplitude, blob.amplitude, 0.02 * blob.amplitude);
+    CHECK_NEAR(f.strength, all.front().strength, 0.02 * all.front().strength);
+  }
+}
+
+// A burst that is twenty times as strong as all else removes nothing but what it covers.
+void test_burst(const Mesh& ball)
+{
+  std::vector<Blob> blobs = {{on_sphere(0.1, 0.2), 0.4, 0.1, 0.06, 0.5},
+                             {on_sphere(1.3, -0.3), 0.9, 0.13, 0.1, 0.2},
+                             {on_sphere(2.4, 0.5), 1.2, 0.09, 0.08, 1}};
+  const std::vector<Feature> before = found(ball, field_of(ball, blobs, great_circle), frame_duration, {});
+  CHECK(before.size() == 3);
+  blobs.push_back({on_sphere(4.5, -0.4), 0.7, 0.1, 0.07, 20});
+  const std::vector<Feature> after = found(ball, field_of(ball, blobs, great_circle), frame_duration, {});
+  for (const Feature& f : before)
+    CHECK(std::any_of(after.begin(), after.end(), [&](const Feature& g) {
+      return g.vertex == f.vertex && g.frame == f.frame && std::abs(g.strength / f.strength - 1) < 0.02;
+    }));
+}
+
+// A tube of radius 1 along z; rows of vertices are turned by half an edge against each other.
+Mesh tube(std::size_t around, std::size_t along, double height)
+{
+  Mesh mesh;
+  const auto vertex = [&](std::size_t i, std::size_t j) { return Mesh::Vertex_index(Mesh::size_type(i * around + j % around)); };
+  for (std::size_t i = 0; i < along; ++i)
+    for (std::size_t j = 0; j < around; ++j) {
+      const double a = 2 * pi * (double(j) + (i % 2 ? 0.5 : 0)) / double(around);
+      mesh.add_vertex(Point(std::cos(a), std::sin(a), height * (double(i) / double(along - 1) - 0.5)));
+    }
+  for (std::size_t i = 0; i + 1 < along; ++i)
+    for (std::size_t j = 0; j < around; ++j) {
+      if (i % 2 == 0) {
+        mesh.add_face(vertex(i, j), vertex(i, j + 1), vertex(i + 1, j));
+        mesh.add_face(vertex(i, j + 1), vertex(i + 1, j + 1), vertex(i + 1, j));
+      } else {
+        mesh.add_face(vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1));
+        mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i + 1, j));
+      }
+    }
+  return mesh;
+}
+
+// A tube that swells all around is one event, whether by exactly the same amount or by a bit more on one side, which is
+// where it is reported then.
+void test_joined()
+{
+  const Mesh mesh = tube(40, 121, 20);
+  for (double more : {0., 1e-9, 0.01}) {
+    Amf::Spatio_temporal_field<double> field(num_vertices(mesh), frames);
+    for (Mesh::Vertex_index v : mesh.vertices()) {
+      const Point p = mesh.point(v);
+      for (std::size_t f = 0; f < frames; ++f) {
+        const double t = (double(f) * frame_duration - 0.8) / 0.1, z = p.z() / 0.8;
+        field(v, f) = std::exp(-(z * z + t * t) / 2) * (1 + more * (p.x() > 0 ? p.x() * p.x() : 0));
+      }
+    }
+    const std::vector<Feature> features = found(mesh, field, frame_duration, {});
+    CHECK(features.size() == 1);
+    if (features.empty()) continue;
+    std::cout << "ring, stronger by " << more << " on one side: sigma " << features[0].sigma / 0.8 << ", tau "
+              << features[0].tau / 0.1 << " times that of the band" << std::endl;
+    CHECK_NEAR(features[0].tau, 0.1, 0.012);
+    CHECK(std::abs(features[0].rest_position[2]) < 0.2);
+    if (more > 1e-3) CHECK(features[0].rest_position[0] > 0.9);
+    Amf::Calibrated_options apart;
+    apart.search.join_equal = false;
+    CHECK(found(mesh, field, frame_duration, apart).size() != 1);
+  }
+}
+
 } // namespace
 
 int main()
@@ -229,6 +338,7 @@ int main()
     options.sampling.sigma = {sigma_min, sigma_max};
     options.sampling.tau = {0.04, 0.3};
     options.selection.relative_threshold = 0.3;
+    options.selection.absolute_threshold = 0;
     return options;
   };
   const auto ring = Amf::calibrated_options().with_spatial_filter(Amf::One_ring_average_filter());
@@ -281,13 +391,24 @@ int main()
   // A.
   auto options = scales(Amf::calibrated_options(), 0.06, 0.3);
   const double sigma = std::sqrt(0.06 * 0.3), tau = std::sqrt(0.04 * 0.3);
+  options.sampling.unit_length = sigma;
+  options.sampling.unit_time = tau;
   const Amf::Rest_shape shape = Amf::rest_shape_of_mesh(ball);
   Amf::Feature_detector<double> detector(
       shape, field_of(ball, {{on_sphere(0.5, 0.3), 0.8, sigma, tau, 2.5}}, great_circle), frame_duration, options);
   std::vector<Amf::Feature_detector<double>::Feature> features;
   detector(std::back_inserter(features));
   CHECK(features.size() == 1);
-  if (!features.empty()) CHECK_NEAR(features[0].strength() / 2.5, 0.515, 0.005);
+  if (!features.empty()) {
+    CHECK_NEAR(-features[0].response / 2.5, 0.515, 0.005);
+    CHECK_NEAR(features[0].amplitude, 2.5, 0.02 * 2.5);
+    CHECK(features[0].fit > 0.97);
+    CHECK(features[0].strength == features[0].amplitude * features[0].fit);
+  }
+
+  test_strength(ball);
+  test_burst(ball);
+  test_joined();
 
   return test_support::test_result();
 }

@@ -100,7 +100,8 @@ std::vector<Extremum> extrema_of(const Rest_shape& shape, const Amf::Spatio_temp
                                  Response response, const Way& way = Way())
 {
   initialize(shape, field.number_of_frames(), levels, spatial, temporal, response);
-  const Amf::Difference_of_gaussians_minima search;
+  Amf::Difference_of_gaussians_minima search;
+  search.join_equal = false;
   Amf::internal::Scale_space_engine<TemporalFilter, Response, Amf::Difference_of_gaussians_minima> engine(
       shape, field.number_of_frames(), levels.space.size(), levels.time.size(), temporal, response, search);
   engine.set_largest_batch(way.largest_batch);
@@ -479,7 +480,8 @@ void test_ties()
     Multiplying_spatial_filter copy = spatial;
     const Multiplying_temporal_filter temporal = {&time, frames};
     const Plain_central_difference response;
-    const Amf::Difference_of_gaussians_minima search;
+    Amf::Difference_of_gaussians_minima search;
+    search.join_equal = false;
     Amf::internal::Scale_space_engine<Multiplying_temporal_filter, Plain_central_difference,
                                       Amf::Difference_of_gaussians_minima>
         engine(shape, frames, 5, 5, temporal, response, search);

@@ -107,15 +107,15 @@ void test_blob(const Bumpy_sphere& sphere, const Rest_shape& shape)
   static_assert(std::is_same<decltype(single_precision), AMF::Feature_detector<float>>::value, "");
   const auto rounded = detect_with(single_precision);
   CHECK(rounded.size() == 1 && rounded[0].vertex == found.vertex && rounded[0].frame == found.frame);
-  if (!rounded.empty()) CHECK_NEAR(rounded[0].strength(), found.strength(), 1e-6 * found.strength());
+  if (!rounded.empty()) CHECK_NEAR(rounded[0].strength, found.strength, 1e-6 * found.strength);
 
   // nothing is weaker than the noise
   const auto number_above = [&](double noise) {
     return detect_with(AMF::Feature_detector(shape, field, sphere.frame_duration, AMF::Extremum_options<>(), noise))
         .size();
   };
-  CHECK(number_above(0.9 * found.strength()) == 1);
-  CHECK(number_above(1.01 * found.strength()) == 0);
+  CHECK(number_above(-0.9 * found.response) == 1);
+  CHECK(number_above(-1.01 * found.response) == 0);
 }
 
 void test_refused(const Bumpy_sphere& sphere, const Rest_shape& shape)
@@ -153,7 +153,7 @@ void test_reuse(const Bumpy_sphere& sphere, const Rest_shape& shape)
   for (std::size_t v = 0; v < noise.number_of_rows(); ++v)
     for (std::size_t f = 0; f < noise.number_of_frames(); ++f) noise(v, f) = double(random()) / double(random.max());
   Detector detector(shape, noise, sphere.frame_duration);
-  const double middle = detect_with(detector).front().strength() / 2;
+  const double middle = detect_with(detector).front().strength / 2;
   std::vector<std::size_t> numbers;
   for (double relative : {0.9, 0.0, 0.2})
     for (bool suppress : {false, true})
@@ -162,6 +162,7 @@ void test_reuse(const Bumpy_sphere& sphere, const Rest_shape& shape)
         selection.relative_threshold = relative;
         selection.absolute_threshold = absolute;
         selection.suppress_non_maxima = suppress;
+        selection.min_fit = 0;
         AMF::Calibrated_options options;
         options.selection = selection;
         AMF::Feature_detector fresh(shape, noise, sphere.frame_duration, options); // takes the selection of its options
@@ -169,10 +170,10 @@ void test_reuse(const Bumpy_sphere& sphere, const Rest_shape& shape)
         const Features features = detect_with(detector);
         CHECK(same(features, detect_with(fresh)));
         numbers.push_back(features.size());
-        const double least = features.empty() ? 0 : relative * features.front().strength();
+        const double least = features.empty() ? 0 : relative * features.front().strength;
         for (std::size_t i = 0; i < features.size(); ++i) {
-          CHECK(features[i].strength() >= least && features[i].strength() >= absolute);
-          CHECK(i == 0 || features[i].strength() <= features[i - 1].strength());
+          CHECK(features[i].strength >= least && features[i].strength >= absolute);
+          CHECK(i == 0 || features[i].strength <= features[i - 1].strength);
         }
       }
   std::cout << detector.number_of_minima() << " minima;";
@@ -181,6 +182,11 @@ void test_reuse(const Bumpy_sphere& sphere, const Rest_shape& shape)
   // the thresholds and the suppression do something
   CHECK(*std::min_element(numbers.begin(), numbers.end()) < *std::max_element(numbers.begin(), numbers.end()));
   CHECK(*std::max_element(numbers.begin(), numbers.end()) == detector.number_of_minima());
+  detector.selection() = AMF::Feature_selection();
+  for (double bad : {1.1, std::numeric_limits<double>::quiet_NaN()}) {
+    detector.selection().min_fit = bad;
+    CHECK_THROWS(AMF::Option_error, detect_with(detector), "least fit");
+  }
   detector.selection() = AMF::Feature_selection();
   for (double bad : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
     detector.selection().relative_threshold = bad;

@@ -122,7 +122,7 @@ std::vector<Feature> detected(std::size_t level_memory, const std::shared_ptr<Am
   const Amf::Frame_sequence<Mesh> sequence(animation.mesh, animation.frames, animation.frame_duration, memory);
   Amf::Calibrated_options options;
   options.level_memory = level_memory;
-  options.selection.relative_threshold = 0;
+  options.selection.absolute_threshold = 0;
   std::vector<Feature> features;
   CGAL::detect_spatio_temporal_features(sequence, std::back_inserter(features), options);
   return features;
@@ -262,6 +262,9 @@ int main()
   CHECK(small.level == Field::size_in_bytes(10000, 50) && small.fields == 4 * Field::size_in_bytes(10000, 50));
   CHECK(small.for_levels(small.most()) == small.most_levels * small.level);
   CHECK(small.for_levels(0) == small.least_levels * small.level);
+  CHECK(Amf::estimated_memory(10000, 50, 8, 8).fixed > Amf::estimated_memory(10000, 50, 8, 2).fixed);
+  // Weights of a long row are not F x F: ten times the frames take at most some ten times the memory.
+  CHECK(Amf::estimated_memory(100, 100000, 8, 2).most() < 10.1 * Amf::estimated_memory(100, 10000, 8, 2).most());
   CHECK(Amf::available_memory() > 0);
   return test_result();
 }

@@ -289,7 +289,7 @@ void test_unusual(const Bumpy_sphere& sphere)
   CHECK(report.isolated_vertices == 2);
 
   AMF::Calibrated_options options;
-  options.selection.relative_threshold = 0;
+  options.selection.absolute_threshold = 0;
   Two_stages<Sequence> detector(sequence, options);
   std::vector<Two_stages<Sequence>::Feature> features;
   detector(std::back_inserter(features));

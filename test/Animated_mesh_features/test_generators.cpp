@@ -10,6 +10,7 @@
 
 #include "generators/articulated_figure.h"
 #include "generators/bending_cylinder.h"
+#include "generators/figure_joints.h"
 
 #include <CGAL/AABB_face_graph_triangle_primitive.h>
 #include <CGAL/AABB_traits.h>
@@ -25,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <string>
 #include <vector>
 
 using namespace Animated_mesh_generators;
@@ -297,6 +299,42 @@ void test_figure_default()
   CHECK(movement > 0.5);
 }
 
+// Angles of which the formula is short, at times between frames; regions at the knee and at the elbow.
+void check_joints(const Mesh& mesh)
+{
+  const double pi = 3.14159265358979323846, degrees = 180 / pi, period = 0.8;
+  std::vector<double> times;
+  for (int i = 0; i < 48; ++i) times.push_back(i * period / 48);
+  const std::vector<Animated_mesh_generators::Figure_joint> joints =
+      Animated_mesh_generators::figure_joints(mesh, period, times);
+  const auto joint = [&](const std::string& name) {
+    return *std::find_if(joints.begin(), joints.end(), [&](const auto& j) { return j.name == name; });
+  };
+  const auto left_thigh = joint("left thigh"), right_thigh = joint("right thigh"), knee = joint("left shin"),
+             elbow = joint("right forearm");
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double phase = 2 * pi * times[i] / period;
+    CHECK_NEAR(left_thigh.angles[i], std::abs(-0.3 - 0.75 * std::cos(phase)) * degrees, 1e-9);
+    CHECK_NEAR(knee.angles[i], (0.35 + 1.1 * std::pow(0.5 + 0.5 * std::cos(phase + pi / 2 + 0.3), 2)) * degrees, 1e-9);
+    CHECK_NEAR(right_thigh.angles[(i + 24) % 48], left_thigh.angles[i], 1e-9); // half a period later
+    // a pitch and a yaw: the cosine of half the angle is the product of theirs
+    const double pitch = -0.95 + 0.35 * std::cos(phase + pi + 0.3), yaw = 0.45;
+    CHECK_NEAR(std::cos(elbow.angles[i] / degrees / 2), std::cos(pitch / 2) * std::cos(yaw / 2), 1e-12);
+  }
+  const auto check_region = [&](const std::vector<std::size_t>& region, const Point_3& centre, double radius) {
+    CHECK(region.size() > 5 && std::is_sorted(region.begin(), region.end()));
+    double farthest = 0;
+    for (std::size_t v : region)
+      farthest =
+          (std::max)(farthest, CGAL::to_double(squared_distance(mesh.point(Mesh::Vertex_index(unsigned(v))), centre)));
+    CHECK(farthest < radius * radius);
+  };
+  // as thick as the limb, and as far as the upper bone takes part in the motion
+  check_region(knee.region, Point_3(0.05, 0.155, 0.42), 0.08 + 0.11);
+  check_region(elbow.region, Point_3(0.01, -0.33, 0.97), 0.05 + 0.11);
+  CHECK(joint("pelvis").region.empty()); // everything hangs on it
+}
+
 void test_figure_sampling()
 {
   Articulated_figure_options o;
@@ -313,6 +351,7 @@ void test_figure_sampling()
   bool same_motion = true;
   for (std::size_t f = 0; f < 10; ++f) same_motion = same_motion && figure.frames[f] == faster.frames[2 * f];
   CHECK(same_motion);
+  check_joints(figure.mesh);
 
   o.number_of_vertices = 6000;
   const Generated_animation finer = articulated_figure(o);

@@ -13,6 +13,7 @@
 #include <CGAL/Animated_mesh_features/Geodesic_balls/Dijkstra_geodesic_balls.h>
 #include <CGAL/Animated_mesh_features/Geodesic_balls/Global_heat_method_geodesic_balls.h>
 #include <CGAL/Animated_mesh_features/Geodesic_balls/Heat_method_geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/default_ball_radius.h>
 #include <CGAL/Animated_mesh_features/IO/read_mesh.h>
 #include <CGAL/Animated_mesh_features/Deformation/curvature.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
@@ -587,6 +588,37 @@ void test_scanned_surface(const std::string& file, const Bounds& bounds)
   compare(file, shape, 3 * shape.mean_edge_length(), bounds, 40, 8, 100);
 }
 
+// The default radius where a part of a mesh is far denser than the rest: balls of a bounded size in the mean, whatever the
+// order of the vertices and the unit; elsewhere the plain formula.
+void test_radius_in_dense_parts()
+{
+  const auto plain = [](const Rest_shape& shape) {
+    const double h = shape.mean_edge_length();
+    return (std::min)((std::max)(0.045 * shape.diameter(), 3 * h), 8 * h);
+  };
+  const auto mean_size = [](const Rest_shape& shape, double radius) {
+    const Amf::Compressed_rows balls = Amf::Dijkstra_geodesic_balls()(shape, radius, Some_tasks{1});
+    double sum = 0;
+    for (std::size_t v = 0; v < balls.size(); ++v) sum += double(balls[v].size());
+    return sum / double(balls.size());
+  };
+  const Shape dense = regular_plane(60, 60, 1), coarse = regular_plane(6, 6, 300);
+  Shape both = dense, other_order = coarse;
+  both.add(coarse, Vec(100, 0, 0));
+  other_order.add(dense, Vec(-100, 0, 0));
+  const Rest_shape shape = rest_shape_of(both);
+  const double radius = Amf::default_ball_radius(shape);
+  CHECK(radius < plain(shape) && mean_size(shape, plain(shape)) > 1600);
+  const double size = mean_size(shape, radius); // fewer than counted: many balls reach beyond the border
+  CHECK(size < 1500 && size > 500);
+  CHECK_NEAR(Amf::default_ball_radius(rest_shape_of(other_order)), radius, 1e-9 * radius);
+  for (Vec& p : both.points) p *= 1e-3;
+  CHECK_NEAR(Amf::default_ball_radius(rest_shape_of(both)), 1e-3 * radius, 1e-12 * radius);
+  // as dense as this alone, or few vertices: nothing is bounded
+  for (const Rest_shape& s : {rest_shape_of(dense), rest_shape_of(coarse), rest_shape_of(sphere(4))})
+    CHECK(Amf::default_ball_radius(s) == plain(s));
+}
+
 int main()
 {
   test_threads(Amf::Dijkstra_geodesic_balls());
@@ -602,6 +634,7 @@ int main()
   test_long_strip();
   test_detour();
   test_clusters();
+  test_radius_in_dense_parts();
   test_renumbering_and_turning();
   test_scanned_surface("horse-rest.obj", {0.93, 0.3, 0.915, 0.35, 0.97});
   test_scanned_surface("horse-rest-irregular.obj", {0.925, 0.3, 0.91, 0.3, 0.93});

@@ -74,7 +74,7 @@ void compare(const std::string& name, const std::vector<Feature>& before, const 
       return g.vertex_index == expected.vertex(f.vertex_index) &&
              std::abs(g.time - f.time - expected.time_shift) <= tolerance * f.tau &&
              std::abs(g.sigma / (f.sigma * expected.length) - 1) <= tolerance &&
-             std::abs(g.tau / f.tau - 1) <= tolerance && std::abs(g.strength() / f.strength() - 1) <= tolerance;
+             std::abs(g.tau / f.tau - 1) <= tolerance && std::abs(g.strength / f.strength - 1) <= tolerance;
     });
   std::cout << name << ": " << before.size() << " features, " << after.size() << " after, " << matched << " equal"
             << std::endl;
@@ -163,6 +163,7 @@ int main()
   std::cout << a.mesh.number_of_vertices() << " vertices, " << a.frames.size() << " frames" << std::endl;
   auto options = Amf::calibrated_options();
   options.selection.relative_threshold = 0.1;
+  options.selection.absolute_threshold = 0;
   // clusters of the heat method's sources depend on the numbering, see Heat_method_geodesic_balls
   check_invariances("calibrated", a, options, 1e-6, 5e-3);
   check_invariances("Dijkstra balls", a, options.with_balls(Amf::Dijkstra_geodesic_balls()), 1e-6, 1e-6);
@@ -181,7 +182,8 @@ int main()
       p = Point(c * p.x() - s * p.y() + 0.1 * double(f), s * p.x() + c * p.y(), p.z() - 3);
   }
   auto everything = Amf::calibrated_options();
-  everything.selection.relative_threshold = 0;
+  everything.selection.absolute_threshold = 0;
+  everything.selection.min_fit = 0;
   CHECK(detect(rigid, everything).empty());
 
   // The motion begins and ends at rest: more rest before and less behind it only shifts the features.

@@ -67,9 +67,15 @@ std::list<Feature> features()
   a.sigma = 0.25;
   a.tau = 1e20;
   a.response = -0.31;
+  a.amplitude = 0.75;
+  a.fit = 0.5;
+  a.strength = 0.375;
+  a.place = 3;
+  a.parent = 12;
   a.at_scale_limit = true;
   Feature b;
   b.response = -0.125;
+  b.strength = 0.125;
   b.sigma = 0.5;
   return {a, b};
 }
@@ -150,13 +156,14 @@ void test_json()
   CHECK(f.size() == 2);
   const ptree& a = f.front().second;
   CHECK(joined(a) == "vertex=1234567 frame=1007 time=0.1 position= sigma=0.25 tau=1e+20 radius=0.3535533905932738 "
-                     "response=-0.31 strength=0.31 rest_position= triangle= barycentric_coordinates= "
+                     "response=-0.31 amplitude=0.75 fit=0.5 strength=0.375 place=3 parent=12 rest_position= triangle= barycentric_coordinates= "
                      "at_scale_limit=true ");
   CHECK(joined(a.get_child("position")) == "=-1.5 =1234.5 =1e-20 ");
   CHECK(joined(a.get_child("rest_position")) == "=2.0 =3.0 =0.3333333333333333 ");
   CHECK(joined(a.get_child("triangle")) == "=1234567 =1300000 =20 ");
   CHECK(joined(a.get_child("barycentric_coordinates")) == "=0.5 =0.25 =0.25 ");
   CHECK(f.back().second.get<std::string>("strength") == "0.125");
+  CHECK(f.back().second.get<std::string>("parent") == "null");
 
   const ptree empty = parsed(json({}, IO::Result_description()));
   CHECK(empty.count("features") == 1 && empty.get_child("features").empty());
@@ -207,6 +214,8 @@ void check_same(const Feature_point& a, const Feature_point& b)
   CHECK(a.vertex_index == b.vertex_index && a.frame == b.frame && a.triangle == b.triangle);
   CHECK(same_bits(a.time, b.time) && same_bits(a.position, b.position) && same_bits(a.rest_position, b.rest_position));
   CHECK(same_bits(a.sigma, b.sigma) && same_bits(a.tau, b.tau) && same_bits(a.response, b.response));
+  CHECK(same_bits(a.amplitude, b.amplitude) && same_bits(a.fit, b.fit) && same_bits(a.strength, b.strength));
+  CHECK(a.place == b.place && a.parent == b.parent);
   CHECK(same_bits(a.barycentric_coordinates, b.barycentric_coordinates) && a.at_scale_limit == b.at_scale_limit);
 }
 
@@ -243,7 +252,9 @@ void test_json_read_back()
     f.vertex_index = random() % 2000000;
     f.frame = random() % 2000;
     for (std::size_t& v : f.triangle) v = random() % 2000000;
-    for (double* x : {&f.time, &f.sigma, &f.tau, &f.response}) *x = any_number(random);
+    f.place = random() % 1000;
+    if (i % 3 == 0) f.parent = random() % 1000;
+    for (double* x : {&f.time, &f.sigma, &f.tau, &f.response, &f.amplitude, &f.fit, &f.strength}) *x = any_number(random);
     for (auto* p : {&f.position, &f.rest_position, &f.barycentric_coordinates})
       for (double& x : *p) x = any_number(random);
     f.at_scale_limit = i % 2 == 0;
@@ -421,7 +432,9 @@ void test_json_errors()
     CHECK(written(data) == text);
   }
   CHECK(written(read_text(replaced("\"radius\":0.7071067811865476,", ""))) == text);
-  CHECK(written(read_text(replaced("\"strength\":0.125,", ""))) == text);
+  // what files of other programs need not have
+  const IO::Feature_file_data few = read_text(replaced("\"amplitude\":0.0,\"fit\":1.0,", ""));
+  CHECK(few.features[1].amplitude == 0 && few.features[1].fit == 1 && written(few) == text);
   CHECK(written(read_text(replaced("\"format\"", "\"x\": [null], \"format\""))) == text);
   CHECK(written(read_text(replaced("\"faces\"", "\"x\": 1, \"faces\""))) == text);
 }
@@ -430,7 +443,7 @@ void test_json_errors()
 void test_json_objects()
 {
   const nlohmann::ordered_json all = std::vector<Feature>(2, features().front());
-  CHECK(all.size() == 2 && all[1].size() == 13 && all[1].begin().key() == "vertex");
+  CHECK(all.size() == 2 && all[1].size() == 17 && all[1].begin().key() == "vertex");
   CHECK(all[0]["sigma"] == 0.25 && all[0]["triangle"][1] == 1300000 && all[0]["at_scale_limit"] == true);
   CHECK(json(features(), IO::Result_description()).find(all[0].dump()) != std::string::npos);
 }
@@ -439,11 +452,11 @@ void test_csv()
 {
   std::ostringstream os;
   IO::write_csv(os, features());
-  CHECK(os.str() == "vertex,frame,time,x,y,z,sigma,tau,radius,response,strength,rest_x,rest_y,rest_z,"
+  CHECK(os.str() == "vertex,frame,time,x,y,z,sigma,tau,radius,response,amplitude,fit,strength,place,parent,rest_x,rest_y,rest_z,"
                     "triangle_0,triangle_1,triangle_2,barycentric_0,barycentric_1,barycentric_2,at_scale_limit\n"
-                    "1234567,1007,0.1,-1.5,1234.5,1e-20,0.25,1e+20,0.3535533905932738,-0.31,0.31,2,3,"
+                    "1234567,1007,0.1,-1.5,1234.5,1e-20,0.25,1e+20,0.3535533905932738,-0.31,0.75,0.5,0.375,3,12,2,3,"
                     "0.3333333333333333,1234567,1300000,20,0.5,0.25,0.25,true\n"
-                    "0,0,0,0,0,0,0.5,0,0.7071067811865476,-0.125,0.125,0,0,0,0,0,0,1,0,0,false\n");
+                    "0,0,0,0,0,0,0.5,0,0.7071067811865476,-0.125,0,1,0.125,0,,0,0,0,0,0,0,1,0,0,false\n");
 }
 
 void test_ply()
@@ -451,17 +464,19 @@ void test_ply()
   const std::string start = " 1.0\ncomment spatio-temporal features of an animated mesh\nelement vertex 2\n"
                             "property float x\nproperty float y\nproperty float z\nproperty float sigma\n"
                             "property float tau\nproperty float time\nproperty float strength\n"
-                            "property float radius\nproperty int frame\nproperty int vertex\nend_header\n";
+                            "property float radius\nproperty float amplitude\nproperty float fit\nproperty int frame\nproperty int vertex\n"
+                            "property int place\nproperty int parent\nend_header\n";
   std::ostringstream ascii;
   IO::write_ply(ascii, features(), false);
   CHECK(ascii.str() == "ply\nformat ascii" + start +
-                           "-1.5 1234.5 1e-20 0.25 1e+20 0.1 0.31 0.35355338 1007 1234567\n"
-                           "0 0 0 0.5 0 0 0.125 0.70710677 0 0\n");
+                           "-1.5 1234.5 1e-20 0.25 1e+20 0.1 0.375 0.35355338 0.75 0.5 1007 1234567 3 12\n"
+                           "0 0 0 0.5 0 0 0.125 0.70710677 0 1 0 0 0 -1\n");
   std::string expected = "ply\nformat binary_little_endian" + start;
   for (const Feature& f : features()) {
-    for (double x : {f.position[0], f.position[1], f.position[2], f.sigma, f.tau, f.time, f.strength(), f.radius()})
+    for (double x : {f.position[0], f.position[1], f.position[2], f.sigma, f.tau, f.time, f.strength, f.radius(), f.amplitude, f.fit})
       expected += little_endian(float(x));
     expected += little_endian(std::uint32_t(f.frame)) + little_endian(std::uint32_t(f.vertex_index));
+    expected += little_endian(std::uint32_t(f.place)) + little_endian(f.parent == Feature::none ? std::uint32_t(-1) : std::uint32_t(f.parent));
   }
   std::ostringstream binary;
   IO::write_ply(binary, features());

@@ -98,6 +98,7 @@ Feature feature(std::size_t vertex, double response)
   f.sigma = 1. / 3;
   f.tau = 0.07;
   f.response = response;
+  f.strength = -response;
   return f;
 }
 

@@ -65,7 +65,7 @@ struct Flap
     feature.barycentric_coordinates = {{0.5, 0.25, 0.25}};
     feature.sigma = 0.5;
     feature.tau = 0.2;
-    feature.response = -0.3;
+    feature.strength = 0.3;
     features.push_back(feature);
   }
 

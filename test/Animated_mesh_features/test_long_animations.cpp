@@ -147,6 +147,26 @@ void test_long_gaussian(double bound)
   CHECK(largest < bound);
 }
 
+// A row that is turned round comes out turned round, to the last bit: what matrices of Gaussians are completed by.
+void test_mirror_symmetry()
+{
+  Random random(11);
+  for (std::size_t frames : {3, 8, 65, 300}) {
+    Amf::Gaussian_temporal_filter filter;
+    filter.initialize(frames, frame_duration, squared_seconds({0.3, 2, 9, 300, 90000}));
+    Row row(frames);
+    for (double& x : row) x = random();
+    Row turned(row.rbegin(), row.rend()), next(frames), next_turned(frames);
+    for (std::size_t l = 0; l < 5; ++l) {
+      filter(l, row.data(), next.data());
+      filter(l, turned.data(), next_turned.data());
+      CHECK(next != row && std::equal(next.begin(), next.end(), next_turned.rbegin()));
+      row.swap(next);
+      turned.swap(next_turned);
+    }
+  }
+}
+
 // Seven levels in space, and those in time that it is told.
 struct Levels
 {
@@ -206,6 +226,7 @@ void test_extrema(const Filter& temporal, const Row& time_variances, std::size_t
 int main()
 {
   test_all_rows();
+  test_mirror_symmetry();
   test_long_gaussian<double>(1e-14);
   test_long_gaussian<float>(3e-6);
   Row gaussian;

@@ -41,8 +41,12 @@ check_files() {
 
 tells "48 frames, 30 in a second" figure --vertices 2000 -o figure
 check_files figure 48
-tells "48 frames" figure --vertices 2000 -o again
+tells "48 frames" figure --vertices 2000 -o again --events events.json
 cmp -s figure.obj again.obj && cmp -s figure.pc2 again.pc2 || fail "a second run writes something else"
+
+for word in '"animated-mesh-features-rig-events"' '"left shin"' '"frames":48' '"angle_deg"'; do
+  grep -qF -- "$word" events.json || fail "--events: no $word"
+done
 
 tells "60 frames" cylinder -o cylinder
 check_files cylinder 60
@@ -60,6 +64,8 @@ tells "Exit codes" --help
 expect 2 "say what to make"
 expect 2 "dog" dog -o x
 expect 2 "-o BASE" figure
+expect 2 "--events" cylinder -o x --events x.json
+expect 2 "same file" figure -o x --vertices 1000 --events x.obj
 expect 2 "--vertices" figure -o x --vertices -5
 expect 2 "1000" figure -o x --vertices 999
 expect 2 "--frames" cylinder -o x --frames 0
@@ -77,6 +83,10 @@ mkdir half.pc2
 expect 4 "half.pc2" cylinder --vertices 500 -o half
 [[ "$(cat half.obj)" == old ]] || fail "half an animation was written"
 [[ -z "$(find . -name '*.tmp')" ]] || fail "temporary files are left"
+mkdir half.json
+rm -r half.pc2
+expect 4 "half.json" figure --vertices 1000 -o half --events half.json
+[[ "$(cat half.obj)" == old && ! -e half.pc2 ]] || fail "an animation without its events was written"
 ln -s same.obj same.pc2
 expect 2 "same file" cylinder --vertices 500 -o same
 

@@ -455,7 +455,7 @@ void test_layout()
     f.frame = frame;
     f.rest_position = {{place, 0, 0}};
     f.sigma = 0.1;
-    f.response = -strength;
+    f.strength = strength;
     return f;
   };
   // The second one is the first one again, the third is too near in time.
@@ -546,7 +546,7 @@ struct Test_scene
       f.time = 0.1 * double(f.frame);
       f.sigma = 0.2;
       f.tau = 0.05 * double(i + 1);
-      f.response = -1 + 0.1 * double(i);
+      f.strength = 1 - 0.1 * double(i);
       features.push_back(f);
     }
   }

@@ -250,7 +250,7 @@ struct Flap
       feature.triangle = {{3, 2, 1}};
       feature.sigma = 0.5 + 0.1 * i;
       feature.tau = 0.2 + 0.1 * i;
-      feature.response = -0.3;
+      feature.strength = 0.3;
       features.push_back(feature);
     }
   }

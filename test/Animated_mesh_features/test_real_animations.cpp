@@ -64,7 +64,7 @@ std::vector<Feature> detect(const Animation& a, Amf::Scale_range tau, double thr
 {
   auto options = Amf::calibrated_options();
   options.sampling.tau = tau;
-  options.selection.relative_threshold = threshold;
+  options.selection.absolute_threshold = threshold;
   std::vector<Feature> features;
   CGAL::detect_spatio_temporal_features(*a.sequence, std::back_inserter(features), options);
   return features;
@@ -128,11 +128,11 @@ int main()
   // The animation is one cycle of 24 frames, played twice: further than three tau from its ends features come in pairs.
   std::size_t in_first = 0, again = 0;
   for (const Feature& f : features)
-    if (f.time > 3 * f.tau && f.time < 23 * frame - 3 * f.tau && f.strength() > 0.2 * features.front().strength()) {
+    if (f.time > 3 * f.tau && f.time < 23 * frame - 3 * f.tau && f.strength > 0.2 * features.front().strength) {
       ++in_first;
       again += std::any_of(features.begin(), features.end(), [&](const Feature& g) {
         return g.vertex_index == f.vertex_index && std::abs(g.time - f.time - 24 * frame) < 0.2 * frame &&
-               std::abs(g.strength() / f.strength() - 1) < 0.02 && std::abs(g.sigma / f.sigma - 1) < 0.02;
+               std::abs(g.strength / f.strength - 1) < 0.02 && std::abs(g.sigma / f.sigma - 1) < 0.02;
       });
     }
   std::cout << "cycle: " << again << " of " << in_first << " features again after 24 frames" << std::endl;
@@ -159,8 +159,8 @@ int main()
   const double duration = double(cow.sequence->number_of_frames()) / 30;
   for (std::size_t i = 0; i < cow_features.size(); ++i) {
     const Feature& f = cow_features[i];
-    CHECK(std::isfinite(f.strength()) && f.strength() > 0 &&
-          (i == 0 || f.strength() <= cow_features[i - 1].strength()));
+    CHECK(std::isfinite(f.strength) && f.strength > 0 &&
+          (i == 0 || f.strength <= cow_features[i - 1].strength));
     CHECK(f.time > 0 && f.time < duration && f.sigma > 0 && std::isfinite(f.sigma) && f.tau > 0 && f.tau < duration);
     const double sum = f.barycentric_coordinates[0] + f.barycentric_coordinates[1] + f.barycentric_coordinates[2];
     CHECK_NEAR(sum, 1, 1e-12);

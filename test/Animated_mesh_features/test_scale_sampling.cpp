@@ -177,8 +177,11 @@ void test_fixed_ratio()
   check_levels(levels.space_variances, sampling.sigma, std::sqrt(2.), 0, 6);
   check_levels(levels.time_variances, sampling.tau, 2, 0, 2); // log2(5) = 2.3
   CHECK(levels.sigma_factor == 1 && levels.tau_factor == 1);
-  CHECK_NEAR(levels.unit_length, std::sqrt(32.), 1e-13);
-  CHECK_NEAR(levels.unit_time, std::sqrt(0.05), 1e-14);
+  // units of one's own
+  sampling.unit_length = 3;
+  sampling.unit_time = 0.2;
+  levels = sampling(shape, 48, frame_duration, fine, temporal);
+  CHECK(levels.unit_length == 3 && levels.unit_time == 0.2);
   // the same levels however the motion is sampled
   const Scale_levels twin = sampling(shape, 24, 2 * frame_duration, fine, temporal);
   CHECK(twin.time_variances == levels.time_variances && twin.space_variances == levels.space_variances);
@@ -197,12 +200,18 @@ void test_default_ranges()
   const Amf::Fixed_ratio_sampling sampling;
   const Scale_levels levels = sampling(shape, 48, frame_duration, fine, temporal);
   const double size = shape.diameter();
-  const Amf::Scale_range sigma = {0.014 * size, 0.175 * size}, tau = {frame_duration, 8 * frame_duration};
+  const Amf::Scale_range sigma = {0.01 * size, 0.175 * size}, tau = {frame_duration, 16 * frame_duration};
   check_levels(levels.space_variances, sigma, sampling.sigma_ratio, 0,
                std::lround(std::log(sigma.max / sigma.min) / std::log(sampling.sigma_ratio)));
   check_levels(levels.time_variances, tau, sampling.tau_ratio, 0,
-               std::lround(std::log(8) / std::log(sampling.tau_ratio)));
-  // fewer frames than six have a single level, of one frame
+               std::lround(std::log(16) / std::log(sampling.tau_ratio)));
+  CHECK(levels.reported_sigma.min == sigma.min && levels.reported_sigma.max == sigma.max);
+  CHECK(levels.reported_tau.contains(tau.min) && levels.reported_tau.contains(tau.max));
+  CHECK(!levels.reported_tau.contains(0.99 * tau.min) && !levels.reported_tau.contains(1.01 * tau.max));
+  // units that depend on neither range nor clip
+  CHECK_NEAR(levels.unit_length, 0.05 * size, 1e-12 * size);
+  CHECK(levels.unit_time == 0.1);
+  // fewer frames than four have a single level, of one frame
   check_levels(sampling(shape, 3, frame_duration, fine, temporal).time_variances, tau, sampling.tau_ratio, 0, 0);
   // one bound of one's own
   Amf::Fixed_ratio_sampling upper;

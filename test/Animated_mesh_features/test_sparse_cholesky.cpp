@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The sparse factorisation and the solves of heat diffusion against dense matrices, for graphs of all kinds, and the same
-// bits with any vector instructions and any number of right-hand sides at a time.
+// The sparse factorisation, the diagonal of the inverse and the solves of heat diffusion against dense matrices, for graphs
+// of all kinds, and the same bits with any vector instructions and any number of right-hand sides at a time.
 
 #include "test_shapes.h"
 
@@ -88,6 +88,29 @@ Eigen::MatrixXd solved(const Ai::Sparse_cholesky<T>& factor, const Eigen::Matrix
   return result;
 }
 
+// Against columns of the identity that are solved for, and against another factorisation.
+void test_diagonal_of_inverse(const Eigen::MatrixXd& a, const Ai::Sparse_cholesky<double>& factor,
+                              const std::vector<double>& inverse, const std::vector<double>& single_inverse)
+{
+  const Eigen::Index n = a.rows();
+  const Eigen::MatrixXd identity = Eigen::MatrixXd::Identity(n, n), dense = a.llt().solve(identity);
+  const std::size_t packs = (std::size_t(n) + Ai::Right_hand_sides<double>::pack_size - 1) /
+                            Ai::Right_hand_sides<double>::pack_size;
+  const Eigen::MatrixXd columns = solved(factor, identity, packs, Ai::Instruction_set::BASELINE);
+  const double condition = a.norm() * dense.norm();
+  double error = 0, dense_error = 0, single_error = 0;
+  CHECK(inverse.size() == std::size_t(n) && single_inverse.size() == std::size_t(n));
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double x = inverse[std::size_t(i)];
+    error = (std::max)(error, std::abs(x / columns(i, i) - 1));
+    dense_error = (std::max)(dense_error, std::abs(x / dense(i, i) - 1));
+    single_error = (std::max)(single_error, std::abs(single_inverse[std::size_t(i)] / dense(i, i) - 1));
+  }
+  CHECK(error < 1e-12);
+  CHECK(dense_error < 1e-10);
+  CHECK(single_error < 1e-7 * condition);
+}
+
 bool is_permutation_of_all(std::vector<std::uint32_t> order)
 {
   std::vector<std::uint32_t> all(order.size());
@@ -126,6 +149,7 @@ void test_order(const std::string& name, const Graph& graph, const Amf::Compress
   const auto diagonal = [&](std::size_t v) { return a(Eigen::Index(v), Eigen::Index(v)); };
   const auto entry = [&](std::size_t v, std::size_t k) { return a(Eigen::Index(v), Eigen::Index(rows[v].begin()[k])); };
   Eigen::MatrixXd first, first_single;
+  std::vector<double> inverse, single_inverse;
   double error = 0, single_error = 0;
   for (Ai::Instruction_set instructions : instruction_sets()) {
     const Ai::Sparse_cholesky<double> factor(symbolic, diagonal, entry, instructions);
@@ -141,6 +165,13 @@ void test_order(const std::string& name, const Graph& graph, const Amf::Compress
       }
       CHECK(x == first && y == first_single); // the same bits
     }
+    if (inverse.empty()) {
+      inverse = factor.diagonal_of_inverse(instructions);
+      single_inverse = single.diagonal_of_inverse(instructions);
+      test_diagonal_of_inverse(a, factor, inverse, single_inverse);
+    }
+    CHECK(factor.diagonal_of_inverse(instructions) == inverse);
+    CHECK(single.diagonal_of_inverse(instructions) == single_inverse);
   }
   CHECK(error < 1e-16);
   CHECK(single_error < 1e-7);
@@ -247,6 +278,27 @@ void test_fill()
   }
 }
 
+// The diagonal of the inverse of a matrix that is too large for dense ones, with deep dissections, in some rows.
+void test_large_inverse()
+{
+  const Shape s = sphere(5);
+  const Amf::Rest_shape shape = rest_shape_of(s);
+  const Ai::Heat_system system(shape);
+  const std::size_t n = system.size();
+  for (double t : {1e-3, 1.}) {
+    const auto factor = system.factor<double>(t, Ai::widest_instruction_set());
+    const std::vector<double> inverse = factor.diagonal_of_inverse();
+    Ai::Right_hand_sides<double> x(system.symbolic(), 16);
+    const auto row = [&](std::size_t c) { return c < 8 ? c * n / 8 : system.symbolic().order()[n - 1 - 9 * (c - 8)]; };
+    for (std::size_t c = 0; c < 16; ++c) x(row(c), c) = 1;
+    factor.solve(x);
+    double error = 0;
+    for (std::size_t c = 0; c < 16; ++c) error = (std::max)(error, std::abs(inverse[row(c)] / x(row(c), c) - 1));
+    CHECK(inverse.size() == n && error < 1e-11);
+    std::cout << "inverse of " << n << " rows, t = " << t << ": error " << error << std::endl;
+  }
+}
+
 // A step of heat diffusion: the same bits with any instructions, and for a frame among any others.
 template <class T>
 void test_heat_step()
@@ -294,6 +346,7 @@ int main()
   test_graphs();
   test_indefinite();
   test_fill();
+  test_large_inverse();
   test_heat_step<double>();
   test_heat_step<float>();
   return test_result();

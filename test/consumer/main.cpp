@@ -69,7 +69,7 @@ int main()
   std::vector<Feature> features;
   CGAL::detect_spatio_temporal_features(animation, std::back_inserter(features));
 
-  if (features.empty() || largest_strength(features) != features.front().strength()) {
+  if (features.empty() || largest_strength(features) != features.front().strength) {
     std::cerr << "no features, or not the strongest first" << std::endl;
     return EXIT_FAILURE;
   }

@@ -17,6 +17,6 @@ typedef CGAL::Animated_mesh_features::Spatio_temporal_feature<Mesh::Vertex_index
 double largest_strength(const std::vector<Feature>& features)
 {
   double largest = 0.;
-  for (const Feature& f : features) largest = (std::max)(largest, f.strength());
+  for (const Feature& f : features) largest = (std::max)(largest, f.strength);
   return largest;
 }

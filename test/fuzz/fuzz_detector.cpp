@@ -158,8 +158,8 @@ void check(const Animation& a, const std::vector<Feature>& features)
     require(std::isfinite(f.time) && finite(f.position) && finite(f.rest_position), "places are finite");
     require(std::isfinite(f.sigma) && f.sigma > 0 && std::isfinite(f.tau) && f.tau > 0, "scales are positive");
     require(std::isfinite(f.response) && f.response < 0, "the response is negative");
-    require(f.strength() <= last, "the strongest come first");
-    last = f.strength();
+    require(f.strength <= last, "the strongest come first");
+    last = f.strength;
     double sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       require(f.triangle[k] < vertices && f.barycentric_coordinates[k] >= 0, "the place is in a triangle");

@@ -4,10 +4,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Files of features.
+// Files of features, and those that they are compared with: paintings, events of rigs.
 
 #include <CGAL/Animated_mesh_features/IO/read_json.h>
+#include <CGAL/Animated_mesh_features/IO/read_painting.h>
+#include <CGAL/Animated_mesh_features/IO/read_rig_events.h>
 #include <CGAL/Animated_mesh_features/IO/write_json.h>
+#include <CGAL/Animated_mesh_features/IO/write_rig_events.h>
 
 #include "fuzz_support.h"
 
@@ -50,23 +53,63 @@ void check(const Amf::IO::Feature_file_data& data)
   }
 }
 
+void check_features(const std::string& file)
+{
+  const Amf::IO::Feature_file_data data = read(file);
+  check(data);
+  // of what it has written, reading and writing make the same bytes
+  const std::string text = written(data);
+  Amf::IO::Feature_file_data again;
+  try {
+    again = read(text);
+  } catch (const Amf::Input_error& e) {
+    require(false, e.what());
+  }
+  require(written(again) == text, "what is written, read and written again is the same");
+}
+
+void check_painting(const std::string& file)
+{
+  std::istringstream in(file);
+  const Amf::IO::Painting_file_data data = Amf::IO::read_painting(in, "painting.json");
+  require(std::isfinite(data.frame_duration) && data.frame_duration > 0, "the time between two frames is positive");
+  for (const auto& stroke : data.strokes) {
+    require(stroke.first_frame <= stroke.last_frame && stroke.last_frame < data.frames, "there are such frames");
+    for (std::size_t v : stroke.vertices) require(v < data.vertices, "there is such a vertex");
+  }
+}
+
+void check_rig(const std::string& file)
+{
+  std::istringstream in(file);
+  const Amf::IO::Rig_file_data data = Amf::IO::read_rig_events(in, "rig.json");
+  for (const auto& joint : data.joints) {
+    for (std::size_t v : joint.region) require(v < data.vertices, "there is such a vertex");
+    for (const auto& m : joint.maxima)
+      require(std::isfinite(m.time) && m.time >= 0 && std::isfinite(m.angle) && m.angle >= 0 &&
+                  std::isfinite(m.prominence) && m.prominence >= 0,
+              "numbers of events are finite and not negative");
+  }
+  std::ostringstream first, second;
+  Amf::IO::write_rig_events(first, data);
+  std::istringstream back(first.str());
+  try {
+    Amf::IO::write_rig_events(second, Amf::IO::read_rig_events(back, "back.json"));
+  } catch (const Amf::Input_error& e) {
+    require(false, e.what());
+  }
+  require(first.str() == second.str(), "what is written, read and written again is the same");
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
-  try {
-    const Amf::IO::Feature_file_data data = read(std::string(reinterpret_cast<const char*>(bytes), size));
-    check(data);
-    // of what it has written, reading and writing make the same bytes
-    const std::string text = written(data);
-    Amf::IO::Feature_file_data again;
+  const std::string file(reinterpret_cast<const char*>(bytes), size);
+  for (const auto check_file : {check_features, check_painting, check_rig}) {
     try {
-      again = read(text);
-    } catch (const Amf::Input_error& e) {
-      require(false, e.what());
-    }
-    require(written(again) == text, "what is written, read and written again is the same");
-  } catch (const Amf::Input_error&) {
+      check_file(file);
+    } catch (const Amf::Input_error&) {}
   }
   return 0;
 }

@@ -85,6 +85,12 @@ def features():
     animation["parts"] = [{"name": "body", "first_vertex": 0, "vertices": 5}]
     feature["file_vertices"] = [2, 4]
     yield "parts.json", json.dumps(file)
+    animation = {"vertices": 4, "frames": 3, "frame_duration": 0.04}
+    yield "painting.json", json.dumps({"format": "animated-mesh-features-painting", "version": 1, "animation": animation,
+                                       "painter": "A", "strokes": [{"frame": 1, "frames": [0, 1], "vertices": [3, 0]}]})
+    maximum = {"time": 0.04, "angle_deg": 45.5, "prominence_deg": 30}
+    yield "rig.json", json.dumps({"format": "animated-mesh-features-rig-events", "version": 1, "animation": animation,
+                                  "joints": [{"name": "knee", "region": [1, 2], "maxima": [maximum]}]})
 
 
 def gltf_data(morph):

@@ -29,6 +29,8 @@ void set_preset(Preset preset, Method_options& o)
   o.curvature = Curvature::DIHEDRAL;
   o.spatial_filter = Spatial_filter::ONE_RING;
   o.temporal_filter = Temporal_filter::BOX;
+  o.baseline = Baseline::NONE;
+  o.dimension = Dimension::PLANE;
 }
 
 // A use of an argument: one of several names.
@@ -47,10 +49,10 @@ std::size_t smoothing_counts(const Argument& a, Preset preset)
   return result;
 }
 
-double threshold(const Argument& a)
+double fraction(const Argument& a, const char* what)
 {
   const double result = a.non_negative_number();
-  if (result > 1) a.refuse("is above 1; it is a fraction of the strongest response (see --absolute-threshold)");
+  if (result > 1) a.refuse(what);
   return result;
 }
 
@@ -64,17 +66,25 @@ void add_measure_options(Option_group& group, Method_options& o)
             "(heat-patches, slow) or on the whole mesh (heat-global, very slow), or paths along edges (dijkstra)",
             to_choice(o.balls));
   group.add("ball-radius", "R",
-            "length, or % of the diagonal (default: 4.5 % of the diameter of the rest shape, between 3 and 8 mean edge "
+            "length, or % of the diameter of the rest shape (default: 4.5 % of it, between 3 and 8 mean edge "
             "lengths)",
             [&](const Argument& a) { o.ball_radius = Programs::length(a); });
   group.add("alpha", "A", "weight of the change of curvature against strain (default: 7); 0 leaves curvature out",
             [&](const Argument& a) { o.alpha = a.non_negative_number(); });
+  group.add("baseline", "NAME",
+            "what is subtracted from the deformation of each vertex: its least value over the clip, so that what never "
+            "changes hides nothing (least, default), or nothing (none, p)",
+            to_choice(o.baseline));
 }
 
 void add_filter_options(Option_group& group, Method_options& o)
 {
   group.add("spatial-filter", "NAME", "heat: diffusion (default); one-ring: averages over neighbours (p)",
             to_choice(o.spatial_filter));
+  group.add("dimension", "NAME",
+            "responses are normalised to the surface's own dimension, which is 1 on a limb whose girth is smaller than the "
+            "scale (surface, default), or to that of a plane (plane, p)",
+            to_choice(o.dimension));
   group.add("temporal-filter", "NAME", "gaussian (default), box (p)", to_choice(o.temporal_filter));
   group.add("box-width", "W",
             "width of the temporal box in frames; preset published only (default: a sixth of the frames)",
@@ -92,11 +102,11 @@ void add_scale_options(Option_group& group, Method_options& o)
             "search up to L passes of the temporal filter; preset published only (default: by the paper's formula)",
             [&](const Argument& a) { o.time_counts = smoothing_counts(a, o.preset); });
   group.add("sigma-range", "MIN:MAX",
-            "the spatial scales, as lengths or % of the diagonal; either may be left out (default: 1.4 to 17.5 % of "
-            "the diameter of the rest shape). Preset calibrated only",
+            "the spatial scales, as lengths or % of the diameter of the rest shape; either may be left out (default: 1 to 17.5 % of "
+            "it). Preset calibrated only",
             [&](const Argument& a) { o.sigma = Programs::range(a, Programs::length); });
   group.add("tau-range", "MIN:MAX",
-            "the temporal scales in seconds; either may be left out (default: from one frame to a sixth of the "
+            "the temporal scales in seconds; either may be left out (default: from one frame to a third of the "
             "duration). Preset calibrated only",
             [&](const Argument& a) {
               o.tau = Programs::range(a, [](const Argument& bound) { return bound.positive_number(); });
@@ -141,6 +151,16 @@ Names<Temporal_filter> names(Temporal_filter)
   return {{"gaussian", Temporal_filter::GAUSSIAN}, {"box", Temporal_filter::BOX}};
 }
 
+Names<Baseline> names(Baseline)
+{
+  return {{"least", Baseline::LEAST}, {"none", Baseline::NONE}};
+}
+
+Names<Dimension> names(Dimension)
+{
+  return {{"surface", Dimension::SURFACE}, {"plane", Dimension::PLANE}};
+}
+
 void add_method_options(Option_group& group, Method_options& o)
 {
   // first: the others replace single choices of it
@@ -155,10 +175,21 @@ void add_method_options(Option_group& group, Method_options& o)
 
 void add_selection_options(Option_group& group, Method_options& o)
 {
-  group.add("threshold", "T", "least strength as a fraction of the strongest one, 0 to 1 (default: 0.2)",
-            [&](const Argument& a) { o.threshold = threshold(a); });
-  group.add("absolute-threshold", "T", "least strength (default: 0); the stricter one of the two thresholds decides",
-            [&](const Argument& a) { o.absolute_threshold = a.non_negative_number(); });
+  group.add("threshold", "T",
+            "least strength, in the unit of the deformation: the amplitude of the event times its fit (default: 0.125; p: "
+            "none)",
+            [&](const Argument& a) { o.threshold = a.non_negative_number(); });
+  group.add("relative-threshold", "T",
+            "least strength as a fraction of the strongest one, 0 to 1 (default: none; p: 0.2). If only one of the two "
+            "thresholds is given, the other is none; the stricter one decides",
+            [&](const Argument& a) {
+              o.relative_threshold = fraction(a, "is above 1; it is a fraction of the strongest (see --threshold)");
+            });
+  group.add("min-fit", "R",
+            "least correlation of the deformation around a feature with the feature's Gaussian, 0 to 1; 0: any (default: "
+            "0.4; p: any)",
+            [&](const Argument& a) { o.min_fit = fraction(a, "is above 1; it is a correlation"); });
+  group.add("top", "N", "the N strongest features at most", [&](const Argument& a) { o.top = a.count(); });
   group.add_switch("no-suppression", o.no_suppression, "keep features close to stronger ones (p)");
 }
 

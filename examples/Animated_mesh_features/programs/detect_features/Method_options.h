@@ -54,6 +54,16 @@ enum class Temporal_filter
   GAUSSIAN,
   BOX
 };
+enum class Baseline
+{
+  LEAST,
+  NONE
+};
+enum class Dimension
+{
+  SURFACE,
+  PLANE
+};
 
 Programs::Names<Preset> names(Preset);
 Programs::Names<Strain> names(Strain);
@@ -61,6 +71,8 @@ Programs::Names<Curvature> names(Curvature);
 Programs::Names<Balls> names(Balls);
 Programs::Names<Spatial_filter> names(Spatial_filter);
 Programs::Names<Temporal_filter> names(Temporal_filter);
+Programs::Names<Baseline> names(Baseline);
+Programs::Names<Dimension> names(Dimension);
 
 // How features are found. What is not chosen is as the preset has it, or follows from the animation: see Method_values.
 struct Method_options
@@ -71,6 +83,8 @@ struct Method_options
   Balls balls = Balls::HEAT;
   Spatial_filter spatial_filter = Spatial_filter::HEAT;
   Temporal_filter temporal_filter = Temporal_filter::GAUSSIAN;
+  Baseline baseline = Baseline::LEAST;
+  Dimension dimension = Dimension::SURFACE;
 
   std::optional<double> alpha;
   std::optional<Programs::Length> ball_radius;
@@ -82,7 +96,8 @@ struct Method_options
   std::optional<std::size_t> space_counts, time_counts;
 
   // which of the features are selected
-  std::optional<double> threshold, absolute_threshold;
+  std::optional<double> threshold, relative_threshold, min_fit;
+  std::optional<std::size_t> top;
   bool no_suppression = false;
 };
 

@@ -17,7 +17,7 @@ struct Missing_features
   double deformation = 0;            // the largest one, of any vertex in any frame
   std::size_t vertex = 0, frame = 0; // where it is
   double noise = 0;                  // up to which it is rounding
-  double response = 0;               // the strength of the strongest minimum; 0 if there is none
+  double strength = 0, fit = 0;      // of the strongest minimum; 0 if there is none
 };
 
 } // namespace Detect_features

@@ -7,6 +7,7 @@
 #ifndef DETECT_FEATURES_SEARCH_H
 #define DETECT_FEATURES_SEARCH_H
 
+#include "detect_features/Chosen_normalization.h"
 #include "detect_features/Chosen_spatial_filter.h"
 #include "detect_features/Missing_features.h"
 #include "detect_features/Searched_scales.h"
@@ -37,6 +38,8 @@ struct Search
   double noise;           // of the responses to it
   bool keeps_field;       // whether the result has it
   Chosen_spatial_filter spatial_filter;
+  Chosen_normalization normalization;
+  bool joins_equal; // whether nearly equal minima that belong together are one
   AMF::Feature_selection selection;
   std::size_t level_memory; // bytes, of the space levels
   Programs::Monitor& monitor;

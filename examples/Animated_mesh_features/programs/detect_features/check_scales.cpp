@@ -37,8 +37,8 @@ void choose_fixed_levels(const Sequence& sequence, const Method_options& o)
 {
   const AMF::Rest_shape& shape = sequence.rest_shape();
   with_temporal_filter(o, method_values(o, sequence.number_of_frames()), [&](const auto& filter) {
-    return fixed_ratio_sampling(o, shape.bounding_box_diagonal())(shape, sequence.number_of_frames(),
-                                                                  sequence.frame_duration(), spatial_filter(o), filter);
+    return fixed_ratio_sampling(o, shape.diameter())(shape, sequence.number_of_frames(), sequence.frame_duration(),
+                                                     spatial_filter(o), filter);
   });
 }
 

@@ -26,10 +26,10 @@ namespace {
 
 Search_result search_features(Search search, const Method_options& o, const Method_values& values)
 {
-  const double diagonal = search.shape.bounding_box_diagonal();
+  const double diameter = search.shape.diameter();
   return with_temporal_filter(o, values, [&](const auto& filter) {
     return o.preset == Preset::PUBLISHED ? find_features(std::move(search), filter, every_smoothing_count(o))
-                                         : find_features(std::move(search), filter, fixed_ratio_sampling(o, diagonal));
+                                         : find_features(std::move(search), filter, fixed_ratio_sampling(o, diameter));
   });
 }
 
@@ -49,6 +49,8 @@ Detection detect(const Sequence& sequence, const Method_options& o, std::size_t 
                 deformation.noise,
                 fields.is_kept(Field::DEFORMATION),
                 spatial_filter(o),
+                Chosen_normalization{o.dimension == Dimension::SURFACE},
+                o.preset != Preset::PUBLISHED,
                 detection.values.selection,
                 level_memory,
                 monitor};

@@ -31,25 +31,32 @@ Missing_features missing_features(Detector& detector, const Search& search)
   const Programs::Values& field = detector.field();
   for (std::size_t v = 0; v < field.number_of_rows(); ++v)
     for (std::size_t f = 0; f < field.number_of_frames(); ++f)
-      if (field(v, f) > m.deformation) m = {double(field(v, f)), v, f, m.noise, 0};
+      if (field(v, f) > m.deformation) m = {double(field(v, f)), v, f, m.noise, 0, 0};
   if (detector.number_of_minima() == 0) return m;
-  AMF::Feature_selection everything;
-  everything.relative_threshold = 1;
-  everything.suppress_non_maxima = false;
-  detector.selection() = everything;
+  AMF::Feature_selection strongest_only;
+  strongest_only.absolute_threshold = strongest_only.min_fit = 0;
+  strongest_only.most_features = 1;
+  detector.selection() = strongest_only;
   std::vector<typename Detector::Feature> strongest;
   detector(std::back_inserter(strongest), search.monitor);
-  if (!strongest.empty()) m.response = strongest.front().strength();
+  if (!strongest.empty()) {
+    m.strength = strongest.front().strength;
+    m.fit = strongest.front().fit;
+  }
   return m;
 }
 
 template <class Response, class TemporalFilter, class Sampling>
 Search_result find_features_with(Search& search, const TemporalFilter& filter, const Sampling& sampling)
 {
-  AMF::Extremum_options<Chosen_spatial_filter, TemporalFilter, Sampling, Response> options;
+  AMF::Extremum_options<Chosen_spatial_filter, TemporalFilter, Sampling, Response, AMF::Difference_of_gaussians_minima,
+                        Chosen_normalization>
+      options;
   options.spatial_filter = std::move(search.spatial_filter);
   options.temporal_filter = filter;
   options.sampling = sampling;
+  options.search.join_equal = search.joins_equal;
+  options.normalization = search.normalization;
   options.level_memory = search.level_memory;
   AMF::Feature_detector<Programs::FT, decltype(options)> detector(search.shape, std::move(search.field),
                                                                   search.frame_duration, options, search.noise);

@@ -10,6 +10,7 @@
 
 #include <CGAL/Animated_mesh_features/Deformation/Curvature_measures.h>
 #include <CGAL/Animated_mesh_features/Deformation/Deformation_measurement.h>
+#include <CGAL/Animated_mesh_features/Deformation/subtract_baseline.h>
 #include <CGAL/Animated_mesh_features/Geodesic_balls/default_ball_radius.h>
 
 using Programs::Field;
@@ -34,7 +35,7 @@ Deformation measure(const Sequence& sequence, const Method_options& o, const Met
   options.alpha = values.alpha;
   Deformation result;
   if (options.alpha != 0 || fields.is_wanted(Field::CURVATURE))
-    result.ball_radius = o.ball_radius ? o.ball_radius->on(sequence.rest_shape().bounding_box_diagonal())
+    result.ball_radius = o.ball_radius ? o.ball_radius->on(sequence.rest_shape().diameter())
                                        : AMF::default_ball_radius(sequence.rest_shape());
   options.ball_radius = result.ball_radius;
   AMF::Deformation_measurement<Sequence, decltype(options)> measurement(sequence, options);
@@ -47,6 +48,7 @@ Deformation measure(const Sequence& sequence, const Method_options& o, const Met
   if (fields.is_wanted(Field::CURVATURE)) use(Field::CURVATURE, measurement.curvature_change(monitor));
   result.field = measurement.take_deformation(monitor);
   result.noise = measurement.noise();
+  if (o.baseline == Baseline::LEAST) AMF::subtract_baseline(result.field, AMF::Least_value_baseline());
   fields.write(Field::DEFORMATION, result.field);
   return result;
 }

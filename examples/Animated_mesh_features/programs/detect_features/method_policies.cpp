@@ -28,8 +28,12 @@ Method_values method_values(const Method_options& o, std::size_t number_of_frame
       is_published ? values_of(AMF::published_options(published_width)) : values_of(AMF::calibrated_options());
   if (o.alpha) v.alpha = *o.alpha;
   if (is_published && o.temporal_filter == Temporal_filter::BOX) v.box_width = o.box_width.value_or(published_width);
-  if (o.threshold) v.selection.relative_threshold = *o.threshold;
-  if (o.absolute_threshold) v.selection.absolute_threshold = *o.absolute_threshold;
+  if (o.threshold || o.relative_threshold) {
+    v.selection.absolute_threshold = o.threshold.value_or(0);
+    v.selection.relative_threshold = o.relative_threshold.value_or(0);
+  }
+  if (o.min_fit) v.selection.min_fit = *o.min_fit;
+  if (o.top) v.selection.most_features = *o.top;
   if (o.no_suppression) v.selection.suppress_non_maxima = false;
   return v;
 }
@@ -41,11 +45,11 @@ Chosen_spatial_filter spatial_filter(const Method_options& o)
   return Chosen_spatial_filter(AMF::One_ring_average_filter(o.preset != Preset::PUBLISHED));
 }
 
-AMF::Fixed_ratio_sampling fixed_ratio_sampling(const Method_options& o, double diagonal)
+AMF::Fixed_ratio_sampling fixed_ratio_sampling(const Method_options& o, double diameter)
 {
   AMF::Fixed_ratio_sampling sampling;
-  if (o.sigma.min) sampling.sigma.min = o.sigma.min->on(diagonal);
-  if (o.sigma.max) sampling.sigma.max = o.sigma.max->on(diagonal);
+  if (o.sigma.min) sampling.sigma.min = o.sigma.min->on(diameter);
+  if (o.sigma.max) sampling.sigma.max = o.sigma.max->on(diameter);
   if (o.tau.min) sampling.tau.min = *o.tau.min;
   if (o.tau.max) sampling.tau.max = *o.tau.max;
   return sampling;

@@ -24,8 +24,8 @@ Method_values method_values(const Method_options& options, std::size_t number_of
 
 Chosen_spatial_filter spatial_filter(const Method_options& options);
 
-// of the preset CALIBRATED; `diagonal` is that of the bounding box of the rest shape.
-AMF::Fixed_ratio_sampling fixed_ratio_sampling(const Method_options& options, double diagonal);
+// of the preset CALIBRATED; `diameter` is that of the rest shape.
+AMF::Fixed_ratio_sampling fixed_ratio_sampling(const Method_options& options, double diameter);
 
 // of the preset PUBLISHED
 AMF::Every_smoothing_count every_smoothing_count(const Method_options& options);

@@ -77,8 +77,14 @@ std::string reason_for_none(const Sequence& sequence, const Method_options& o, c
     else
       os << "all frames have the rest shape, but for how it lies in space";
   } else if (d.number_of_minima > 0) {
-    os << "the strongest response, " << m.response << ", is below the absolute threshold, "
-       << d.values.selection.absolute_threshold;
+    const AMF::Feature_selection& s = d.values.selection;
+    if (m.strength < s.absolute_threshold)
+      os << "the strongest, " << m.strength << ", is below the threshold, " << s.absolute_threshold << " (--threshold)";
+    else if (s.most_features == 0)
+      os << "--top 0 wants none";
+    else
+      os << "no event that is strong enough resembles a Gaussian as much as --min-fit " << s.min_fit
+         << " asks for; the strongest, " << m.strength << ", has a fit of " << m.fit;
   } else {
     const Searched_scales& s = d.scales;
     os << "the response has no minimum at sigma from " << s.sigma_levels[s.levels_below] << " to "

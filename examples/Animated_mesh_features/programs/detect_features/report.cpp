@@ -44,7 +44,7 @@ std::string best(const Programs::Animation& animation, const Method_options& met
   if (detection.features.empty()) return ": " + reason_for_none(animation.sequence(), method, detection);
   const Feature& f = detection.features.front();
   std::ostringstream os;
-  os << ", the strongest (" << std::fixed << std::setprecision(3) << f.strength() << ") at vertex " << f.vertex_index
+  os << ", the strongest (" << std::fixed << std::setprecision(3) << f.strength << ") at vertex " << f.vertex_index
      << ", frame " << f.frame;
   return os.str();
 }
@@ -73,8 +73,10 @@ void add_method_parameters(AMF::IO::Result_description& d, const Method_options&
   add_if(has_balls, d, "curvature", name(o.curvature));
   add_if(has_balls, d, "balls", name(o.balls));
   add_if(has_balls, d, "ball_radius", detection.ball_radius);
+  d.add("baseline", name(o.baseline));
   d.add("spatial_filter", name(o.spatial_filter));
   d.add("temporal_filter", name(o.temporal_filter));
+  d.add("dimension", name(o.dimension));
   add_if(values.box_width > 0, d, "box_width", values.box_width);
   add_if(o.space_counts.has_value(), d, "space_counts", o.space_counts.value_or(0));
   add_if(o.time_counts.has_value(), d, "time_counts", o.time_counts.value_or(0));
@@ -82,8 +84,10 @@ void add_method_parameters(AMF::IO::Result_description& d, const Method_options&
   add_if(!o.tau.text.empty(), d, "tau_range", o.tau.text);
   d.add("sigma_levels", detection.scales.sigma_levels);
   d.add("tau_levels", detection.scales.tau_levels);
-  d.add("threshold", values.selection.relative_threshold);
-  d.add("absolute_threshold", values.selection.absolute_threshold);
+  d.add("threshold", values.selection.absolute_threshold);
+  d.add("relative_threshold", values.selection.relative_threshold);
+  d.add("min_fit", values.selection.min_fit);
+  add_if(o.top.has_value(), d, "top", o.top.value_or(0));
   d.add("suppression", values.selection.suppress_non_maxima);
 }
 

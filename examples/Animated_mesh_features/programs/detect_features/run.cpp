@@ -64,6 +64,7 @@ void run(const Command_line& c)
   });
   log.end();
   const Sequence& sequence = animation.sequence();
+  plan.refine(sequence.rest_shape());
   check_outputs(c.output.paths(), animation.files());
   // now rather than after hours of computation
   check_picture_frames(c.output.picture, sequence.number_of_frames());

@@ -27,7 +27,7 @@ void sort_by_strength(AMF::IO::Feature_file_data& data)
   std::vector<std::size_t> order(data.features.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return data.features[a].strength() > data.features[b].strength();
+    return data.features[a].strength > data.features[b].strength;
   });
   std::vector<Feature_point> features;
   std::vector<std::vector<std::size_t>> file_vertices;

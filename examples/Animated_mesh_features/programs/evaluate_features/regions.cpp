@@ -6,6 +6,7 @@
 
 #include "evaluate_features/Command.h"
 #include "evaluate_features/Feature_file.h"
+#include "evaluate_features/Painters.h"
 #include "evaluate_features/write_region_mesh.h"
 #include "reading/Animation.h"
 #include "reading/Reading_options.h"
@@ -16,14 +17,11 @@
 #include <CGAL/Animated_mesh_features/Evaluation/chance_level.h>
 #include <CGAL/Animated_mesh_features/Evaluation/feature_regions.h>
 #include <CGAL/Animated_mesh_features/IO/Output_file.h>
-#include <CGAL/Animated_mesh_features/IO/read_painting.h>
 #include <CGAL/Animated_mesh_features/IO/write_npy.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/Numerics/memory/Field_memory.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 #include <optional>
 
 namespace AMF = CGAL::Animated_mesh_features;
@@ -35,7 +33,7 @@ namespace Evaluate_features {
 
 namespace {
 
-typedef AMF::Spatio_temporal_field<float> Map;
+typedef Painters::Map Map;
 
 // Vertices that are in regions, by how many frames.
 std::vector<float> column(const Map& map)
@@ -44,68 +42,6 @@ std::vector<float> column(const Map& map)
   for (std::size_t v = 0; v < map.number_of_rows(); ++v) values.push_back(map(v, 0));
   return values;
 }
-
-// The map of each painter, who may have several files.
-class Painters
-{
-public:
-  Painters(const std::vector<std::string>& files, const Feature_file& features)
-  {
-    const auto& d = features.data.description;
-    for (const std::string& file : files) {
-      const AMF::IO::Painting_file_data painting = AMF::IO::read_painting(file);
-      const double tolerance = 1e-3; // files may have rounded the time between two frames
-      if (painting.vertices != d.vertices || painting.frames != d.frames ||
-          !(std::abs(painting.frame_duration - d.frame_duration) <= tolerance * d.frame_duration))
-        throw AMF::Input_error(file + ": was painted on " + std::to_string(painting.vertices) + " vertices in " +
-                               std::to_string(painting.frames) + " frames, the features of " + features.path +
-                               " were found on " + std::to_string(d.vertices) + " in " + std::to_string(d.frames));
-      const auto place = m_ranks.emplace(painting.painter, m_maps.size());
-      if (place.second) {
-        m_maps.emplace_back(d.vertices, d.frames);
-        m_files.push_back(file);
-      }
-      for (const AMF::IO::Painting_file_data::Stroke& s : painting.strokes)
-        for (std::size_t v : s.vertices)
-          std::fill(m_maps[place.first->second].row(v) + s.first_frame,
-                    m_maps[place.first->second].row(v) + s.last_frame + 1, 1.f);
-    }
-    check();
-  }
-
-  // in space and time
-  const std::vector<Map>& maps() const { return m_maps; }
-
-  // in space: whether a vertex is painted in any frame
-  std::vector<Map> shadows() const
-  {
-    std::vector<Map> result;
-    for (const Map& map : m_maps) {
-      Map shadow(map.number_of_rows(), 1);
-      for (std::size_t v = 0; v < map.number_of_rows(); ++v)
-        shadow(v, 0) = *std::max_element(map.row(v), map.row(v) + map.number_of_frames());
-      result.push_back(std::move(shadow));
-    }
-    return result;
-  }
-
-private:
-  void check() const
-  {
-    for (std::size_t i = 0; i < m_maps.size(); ++i) {
-      bool is_painted = false, is_left = false; // somewhere
-      for (std::size_t v = 0; v < m_maps[i].number_of_rows(); ++v)
-        for (std::size_t f = 0; f < m_maps[i].number_of_frames(); ++f)
-          (m_maps[i](v, f) > 0 ? is_painted : is_left) = true;
-      if (!is_painted) throw AMF::Input_error(m_files[i] + ": its painter has painted nothing");
-      if (!is_left) throw AMF::Input_error(m_files[i] + ": its painter has painted everything");
-    }
-  }
-
-  std::map<std::string, std::size_t> m_ranks; // of the painters
-  std::vector<std::string> m_files;           // the first of each
-  std::vector<Map> m_maps;
-};
 
 class Regions : public Command
 {
@@ -179,42 +115,25 @@ painters scores against the other, if there are two or more, and chance: as many
     std::vector<Feature_point> features = file.features();
     features.resize((std::min)(m_top, features.size()));
     const std::vector<double> areas = AMF::vertex_areas(shape);
-    const auto map = [&](const std::vector<Feature_point>& f, AMF::Region_course course) {
-      return AMF::feature_regions(shape, file.frames(), file.frame_duration(), f, course);
-    };
-    const Map present = map(features, AMF::Region_course::PRESENT),
-              weighted = map(features, AMF::Region_course::GAUSSIAN);
+    const Region_maker make = {shape, file, features};
+    const Map present = make(features, AMF::Region_course::PRESENT);
+    const Map weighted = make(features, AMF::Region_course::GAUSSIAN);
     Result result;
     result.report.title = "regions: " + file.path + ", " + std::to_string(features.size()) + " features";
     result.report.json = {{"measure", "regions"}, {"files", m_inputs}, {"truth", m_truth}};
     add_extent(present, areas, result.report);
     if (!m_truth.empty()) {
       const Painters painters(m_truth, file);
+      const std::vector<Map> shadows = painters.shadows();
+      Scores scores = {AMF::Painting_scores(painters.maps(), areas), std::nullopt};
+      if (!shadows.empty())
+        scores.in_space.emplace(shadows, areas);
+      else
+        result.report.remarks.push_back(
+            "somebody painted every vertex at some time: there are no figures in space alone");
       result.report.json["painters"] = painters.maps().size();
-      const AMF::Painting_scores in_time(painters.maps(), areas), in_space(painters.shadows(), areas);
-      const auto random_map = [&](const std::vector<AMF::Random_place>& places, AMF::Region_course course) {
-        std::vector<Feature_point> random = features;
-        for (std::size_t i = 0; i < random.size(); ++i) {
-          random[i].vertex_index = places[i].vertex;
-          random[i].time = places[i].time;
-        }
-        return map(random, course);
-      };
-      for (const bool is_weighted : {false, true}) {
-        const AMF::Region_course course = is_weighted ? AMF::Region_course::GAUSSIAN : AMF::Region_course::PRESENT;
-        const Map& m = is_weighted ? weighted : present;
-        Chance chance = AMF::chance_level(
-            features.size(), shape.number_of_vertices(), file.duration(),
-            [&](const std::vector<AMF::Random_place>& places) {
-              const Map random = random_map(places, course);
-              return Chance{in_time.mean(random), in_space.mean(AMF::summed_over_frames(random))};
-            },
-            common.chance);
-        const std::string form = is_weighted ? ", weighted regions" : "", key = is_weighted ? "_weighted" : "";
-        add_scores("space_time" + key, "in space and time" + form, in_time, m, chance.in_time, common, result.report);
-        add_scores("space" + key, "in space" + form, in_space, AMF::summed_over_frames(m), chance.in_space, common,
-                   result.report);
-      }
+      compare(present, AMF::Region_course::PRESENT, make, scores, common, result.report);
+      compare(weighted, AMF::Region_course::GAUSSIAN, make, scores, common, result.report);
       if (painters.maps().size() < 2)
         result.report.remarks.push_back("one painter: there is nobody to agree with, and no interval");
     }
@@ -240,6 +159,55 @@ private:
       return *this;
     }
   };
+
+  // in space and time, and in space alone
+  struct Scores
+  {
+    AMF::Painting_scores in_time;
+    std::optional<AMF::Painting_scores> in_space; // none: nothing to compare with
+  };
+
+  // Makes the map of features, or of the same at random places.
+  struct Region_maker
+  {
+    const AMF::Rest_shape& shape;
+    const Feature_file& file;
+    const std::vector<Feature_point>& features;
+
+    Map operator()(const std::vector<Feature_point>& f, AMF::Region_course course) const
+    {
+      return AMF::feature_regions(shape, file.frames(), file.frame_duration(), f, course);
+    }
+
+    Map operator()(const std::vector<AMF::Random_place>& places, AMF::Region_course course) const
+    {
+      std::vector<Feature_point> random = features;
+      for (std::size_t i = 0; i < random.size(); ++i) {
+        random[i].vertex_index = places[i].vertex;
+        random[i].time = places[i].time;
+      }
+      return (*this)(random, course);
+    }
+  };
+
+  static void compare(const Map& map, AMF::Region_course course, const Region_maker& make, const Scores& scores,
+                      const Common_options& common, Report& report)
+  {
+    const Chance chance = AMF::chance_level(
+        make.features.size(), make.shape.number_of_vertices(), make.file.duration(),
+        [&](const std::vector<AMF::Random_place>& places) {
+          const Map random = make(places, course);
+          return Chance{scores.in_time.mean(random),
+                        scores.in_space ? scores.in_space->mean(AMF::summed_over_frames(random)) : AMF::Map_scores()};
+        },
+        common.chance);
+    const bool is_weighted = course == AMF::Region_course::GAUSSIAN;
+    const std::string form = is_weighted ? ", weighted regions" : "", key = is_weighted ? "_weighted" : "";
+    add_scores("space_time" + key, "in space and time" + form, scores.in_time, map, chance.in_time, common, report);
+    if (scores.in_space)
+      add_scores("space" + key, "in space" + form, *scores.in_space, AMF::summed_over_frames(map), chance.in_space,
+                 common, report);
+  }
 
   static void check(const Feature_file& file, const Programs::Animation& animation)
   {

@@ -11,13 +11,14 @@
 
 namespace Programs {
 
-// A length of the mesh, or a fraction of the bounding-box diagonal of the rest shape.
+// A length of the mesh, or a fraction of an extent: the diameter of the rest shape where features are detected, which does
+// not change when the mesh is turned.
 struct Length
 {
   double value = 0;
   bool is_percentage = false;
 
-  double on(double diagonal) const { return is_percentage ? value / 100 * diagonal : value; }
+  double on(double extent) const { return is_percentage ? value / 100 * extent : value; }
 };
 
 // throws Option_error if it is not positive.

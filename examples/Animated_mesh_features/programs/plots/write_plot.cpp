@@ -42,7 +42,7 @@ public:
   {
     for (const Shown_feature& f : m_features) {
       m_most_sigma = (std::max)(m_most_sigma, f.sigma);
-      m_most_strength = (std::max)(m_most_strength, f.strength());
+      m_most_strength = (std::max)(m_most_strength, f.strength);
     }
     draw_heading();
     draw_features();
@@ -100,7 +100,7 @@ private:
     for (std::size_t i : order) {
       const Shown_feature& f = m_features[i];
       const Rendering::Srgb8 c = colour(m_places[i]);
-      const double x = time(f.time), y = strength(f.strength());
+      const double x = time(f.time), y = strength(f.strength);
       const auto inside = [&](double t) { return time((std::min)(time.max, (std::max)(time.min, t))); };
       m_canvas.line(inside(f.time - f.tau / 2), y, inside(f.time + f.tau / 2), y, {c, 2.5, true});
       m_canvas.circle(x, y, radius(f.sigma), {c, 1.5}, c, 0.35);

@@ -41,18 +41,38 @@ Memory_plan::Memory_plan(std::optional<std::size_t> limit, std::string scratch_d
   , m_scratch_directory(std::move(scratch_directory))
 {}
 
+AMF::Memory_estimate Memory_plan::with_fields(AMF::Memory_estimate estimate) const
+{
+  estimate.fields += m_extra_fields * estimate.level;
+  return estimate;
+}
+
+void Memory_plan::plan_in_memory(const AMF::Memory_estimate& estimate)
+{
+  const std::size_t allowed = m_limit.value_or(m_available);
+  m_level_memory = estimate.for_levels(allowed);
+  m_report = "memory: about " + amount((std::max)(estimate.least(), (std::min)(estimate.most(), allowed))) +
+             ", fields in memory";
+}
+
+void Memory_plan::refine(const AMF::Rest_shape& shape)
+{
+  if (m_is_in_memory) plan_in_memory(with_fields(AMF::estimated_memory(shape, m_frames, sizeof(double))));
+}
+
 std::shared_ptr<AMF::Field_memory> Memory_plan::decide(std::size_t number_of_vertices, std::size_t number_of_frames,
                                                        std::size_t fields)
 {
-  AMF::Memory_estimate estimate = AMF::estimated_memory(number_of_vertices, number_of_frames, sizeof(double));
-  estimate.fields += fields * estimate.level;
-  const std::size_t available = AMF::available_memory();
+  m_frames = number_of_frames;
+  m_extra_fields = fields;
+  const AMF::Memory_estimate estimate =
+      with_fields(AMF::estimated_memory(number_of_vertices, number_of_frames, sizeof(double)));
+  const std::size_t available = m_available = AMF::available_memory();
   const std::string size =
       std::to_string(number_of_vertices) + " vertices in " + std::to_string(number_of_frames) + " frames";
-  if (estimate.least() <= m_limit.value_or(available)) {
-    m_level_memory = estimate.for_levels(m_limit.value_or(available));
-    m_report =
-        "memory: about " + amount((std::min)(estimate.most(), m_limit.value_or(available))) + ", fields in memory";
+  m_is_in_memory = estimate.least() <= m_limit.value_or(available);
+  if (m_is_in_memory) {
+    plan_in_memory(estimate);
     return AMF::Field_memory::heap();
   }
   const std::string needed = size + " need about " + amount(estimate.least()) + " of memory, ";

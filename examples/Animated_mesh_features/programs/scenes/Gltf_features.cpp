@@ -60,7 +60,7 @@ void Gltf_features::append_nodes(Json& nodes) const
                        {"sigma", f.sigma},
                        {"tau", f.tau},
                        {"radius", f.radius()},
-                       {"strength", f.strength()},
+                       {"strength", f.strength},
                        {"at_scale_limit", f.at_scale_limit}}}});
   }
 }

@@ -90,7 +90,7 @@ public:
       m_sigma.push_back(feature.sigma);
       m_tau.push_back(feature.tau);
       m_time.push_back(feature.time);
-      m_strength.push_back(feature.strength());
+      m_strength.push_back(feature.strength);
       m_radius.push_back(feature.radius());
       m_opacity.push_back(opacity_in_frame(feature, f, frame_duration));
       m_vertex.push_back(static_cast<std::int64_t>(feature.vertex_index));

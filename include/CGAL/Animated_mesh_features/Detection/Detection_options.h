@@ -8,10 +8,12 @@
 #define CGAL_ANIMATED_MESH_FEATURES_DETECTION_DETECTION_OPTIONS_H
 
 #include <CGAL/Animated_mesh_features/Deformation/Deformation_options.h>
+#include <CGAL/Animated_mesh_features/Deformation/subtract_baseline.h>
 #include <CGAL/Animated_mesh_features/Detection/Feature_selection.h>
 #include <CGAL/Animated_mesh_features/Extrema/Extremum_options.h>
 #include <CGAL/Animated_mesh_features/Scale_space/Box_temporal_filter.h>
 #include <CGAL/Animated_mesh_features/Scale_space/One_ring_average_filter.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Planar_normalization.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +30,8 @@ Everything that a detection can be told: a policy for each step, and numbers. Th
 returns the defaults, `published_options()` the paper's choices; `with_...()` returns the same options with one policy
 replaced by another, which may be of the user's own class.
 
-The defaults of the numbers are those of both presets, but for `triangle_weights`, which is `Triangle_weights::UNIFORM`
-in `published_options()`, and `Feature_selection::suppress_non_maxima`, which is `false` there.
+The defaults of the numbers are those of both presets, but for `triangle_weights`, `selection` and
+`Difference_of_gaussians_minima::join_equal`, see `published_options()`.
 
 \tparam StrainMeasure_ a model of `StrainMeasure`.
 \tparam CurvatureMeasure_ a model of `CurvatureMeasure`.
@@ -39,6 +41,8 @@ in `published_options()`, and `Feature_selection::suppress_non_maxima`, which is
 \tparam ScaleSampling_ a model of `ScaleSampling`.
 \tparam SpaceTimeResponse_ a model of `SpaceTimeResponse`.
 \tparam ExtremumSearch_ a model of `ExtremumSearch`.
+\tparam ScaleNormalization_ a model of `ScaleNormalization`.
+\tparam Baseline_ a model of `Baseline`.
 */
 template <class StrainMeasure_,
           class CurvatureMeasure_,
@@ -47,26 +51,38 @@ template <class StrainMeasure_,
           class TemporalFilter_,
           class ScaleSampling_,
           class SpaceTimeResponse_,
-          class ExtremumSearch_>
+          class ExtremumSearch_,
+          class ScaleNormalization_ = Heat_kernel_normalization,
+          class Baseline_ = Least_value_baseline>
 struct Detection_options : Deformation_options<StrainMeasure_, CurvatureMeasure_, GeodesicBalls_>,
-                           Extremum_options<SpatialFilter_, TemporalFilter_, ScaleSampling_, SpaceTimeResponse_, ExtremumSearch_>
+                           Extremum_options<SpatialFilter_, TemporalFilter_, ScaleSampling_, SpaceTimeResponse_,
+                                            ExtremumSearch_, ScaleNormalization_>
 {
   /// the options of the first stage, `Deformation_measurement`.
   typedef Deformation_options<StrainMeasure_, CurvatureMeasure_, GeodesicBalls_> Measurement;
 
   /// the options of the second stage, `find_response_extrema()` and `Feature_detector`.
-  typedef Extremum_options<SpatialFilter_, TemporalFilter_, ScaleSampling_, SpaceTimeResponse_, ExtremumSearch_> Search;
+  typedef Extremum_options<SpatialFilter_, TemporalFilter_, ScaleSampling_, SpaceTimeResponse_, ExtremumSearch_,
+                           ScaleNormalization_>
+      Search;
+
+  typedef Baseline_ Baseline; ///< a model of the concept of this name
 
   /// the defaults of both stages.
   Detection_options() = default;
 
   /// puts the options of both stages together.
-  Detection_options(Measurement measurement, Search search, Feature_selection selection = Feature_selection())
+  Detection_options(Measurement measurement, Search search, Feature_selection selection = Feature_selection(),
+                    Baseline baseline = Baseline())
     : Measurement(std::move(measurement))
     , Search(std::move(search))
+    , baseline(std::move(baseline))
     , selection(selection)
   {
   }
+
+  /// what is subtracted from the field between the two stages.
+  Baseline baseline;
 
   /// thresholds and suppression.
   Feature_selection selection;
@@ -104,7 +120,7 @@ struct Detection_options : Deformation_options<StrainMeasure_, CurvatureMeasure_
   template <class T>
   auto with_spatial_filter(const T& p) const
   {
-    return searching(p, this->temporal_filter, this->sampling, this->response, this->search);
+    return searching(p, this->temporal_filter, this->sampling, this->response, this->search, this->normalization);
   }
 
   /// the same options but for the smoothing over time.
@@ -112,7 +128,7 @@ struct Detection_options : Deformation_options<StrainMeasure_, CurvatureMeasure_
   template <class T>
   auto with_temporal_filter(const T& p) const
   {
-    return searching(this->spatial_filter, p, this->sampling, this->response, this->search);
+    return searching(this->spatial_filter, p, this->sampling, this->response, this->search, this->normalization);
   }
 
   /// the same options but for the levels of the scale space.
@@ -120,7 +136,7 @@ struct Detection_options : Deformation_options<StrainMeasure_, CurvatureMeasure_
   template <class T>
   auto with_sampling(const T& p) const
   {
-    return searching(this->spatial_filter, this->temporal_filter, p, this->response, this->search);
+    return searching(this->spatial_filter, this->temporal_filter, p, this->response, this->search, this->normalization);
   }
 
   /// the same options but for the response.
@@ -128,7 +144,7 @@ struct Detection_options : Deformation_options<StrainMeasure_, CurvatureMeasure_
   template <class T>
   auto with_response(const T& p) const
   {
-    return searching(this->spatial_filter, this->temporal_filter, this->sampling, p, this->search);
+    return searching(this->spatial_filter, this->temporal_filter, this->sampling, p, this->search, this->normalization);
   }
 
   /// the same options but for the search for minima.
@@ -136,23 +152,42 @@ struct Detection_options : Deformation_options<StrainMeasure_, CurvatureMeasure_
   template <class T>
   auto with_search(const T& p) const
   {
-    return searching(this->spatial_filter, this->temporal_filter, this->sampling, this->response, p);
+    return searching(this->spatial_filter, this->temporal_filter, this->sampling, this->response, p, this->normalization);
+  }
+
+  /// the same options but for how responses are normalised to the surface's dimension.
+  /// \tparam T a model of `ScaleNormalization`.
+  template <class T>
+  auto with_normalization(const T& p) const
+  {
+    return searching(this->spatial_filter, this->temporal_filter, this->sampling, this->response, this->search, p);
+  }
+
+  /// the same options but for what is subtracted from the field.
+  /// \tparam T a model of `Baseline`.
+  template <class T>
+  auto with_baseline(const T& p) const
+  {
+    return Detection_options<StrainMeasure_, CurvatureMeasure_, GeodesicBalls_, SpatialFilter_, TemporalFilter_,
+                             ScaleSampling_, SpaceTimeResponse_, ExtremumSearch_, ScaleNormalization_, T>(
+        *this, *this, selection, p);
   }
   /// @}
 
 private:
   // The options of a stage with one policy replaced: everything but the policies is taken from this.
   template <class S, class C, class B>
-  Detection_options<S, C, B, SpatialFilter_, TemporalFilter_, ScaleSampling_, SpaceTimeResponse_, ExtremumSearch_>
+  Detection_options<S, C, B, SpatialFilter_, TemporalFilter_, ScaleSampling_, SpaceTimeResponse_, ExtremumSearch_,
+                    ScaleNormalization_, Baseline_>
   measuring(const S& s, const C& c, const B& b) const
   {
-    return {{s, c, b, this->triangle_weights, this->ball_radius, this->alpha}, *this, selection};
+    return {{s, c, b, this->triangle_weights, this->ball_radius, this->alpha}, *this, selection, baseline};
   }
-  template <class S, class T, class L, class R, class E>
-  Detection_options<StrainMeasure_, CurvatureMeasure_, GeodesicBalls_, S, T, L, R, E>
-  searching(const S& s, const T& t, const L& l, const R& r, const E& e) const
+  template <class S, class T, class L, class R, class E, class N>
+  Detection_options<StrainMeasure_, CurvatureMeasure_, GeodesicBalls_, S, T, L, R, E, N, Baseline_>
+  searching(const S& s, const T& t, const L& l, const R& r, const E& e, const N& n) const
   {
-    return {*this, {s, t, l, r, e, this->level_memory}, selection};
+    return {*this, {s, t, l, r, e, n, this->level_memory}, selection, baseline};
   }
 };
 
@@ -183,14 +218,17 @@ typedef Detection_options<Largest_eigenvalue_strain,
                           Box_temporal_filter,
                           Every_smoothing_count,
                           Forward_difference_of_gaussians,
-                          Difference_of_gaussians_minima>
+                          Difference_of_gaussians_minima,
+                          Planar_normalization,
+                          No_baseline>
     Published_options;
 
 /*!
 \ingroup PkgAnimatedMeshFeaturesDetection
 
-The default: measures that see compression and converge under refinement, filters of known variance, scales in units
-that do not depend on the sampling, thresholds and suppression.
+The default: measures that see compression and converge under refinement, what never changes taken from them, filters of
+known variance, responses normalised to the surface's dimension, scales in units that do not depend on the sampling,
+thresholds in the unit of the field, the fit, and suppression.
 */
 inline Calibrated_options calibrated_options() { return Calibrated_options(); }
 
@@ -199,7 +237,8 @@ inline Calibrated_options calibrated_options() { return Calibrated_options(); }
 
 The method in the words of Mykhalchuk, Seo and Cordier \cgalCite{mykhalchuk2014}, for comparison: largest eigenvalue of
 the Cauchy-Green tensor, plain mean over triangles, mean of dihedral angles, every smoothing count of one-ring averages
-and box averages, forward differences, no suppression. Lengths in Eq. (7) need a unit, see `Every_smoothing_count`.
+and box averages, forward differences on a plane, no baseline, no fit, no suppression; at least a fifth of the strongest
+response. Lengths in Eq. (7) need a unit, see `Every_smoothing_count`.
 
 \param box_width width of the temporal box in frames; the paper's Table 1 has 5 to 20, for a sixth to a tenth of the
 frames.
@@ -212,6 +251,9 @@ inline Published_options published_options(std::size_t box_width)
   options.spatial_filter = One_ring_average_filter(false);
   options.temporal_filter = Box_temporal_filter(box_width);
   options.triangle_weights = Triangle_weights::UNIFORM;
+  options.search.join_equal = false;
+  options.selection = Feature_selection::of_any_field();
+  options.selection.min_fit = 0;
   options.selection.suppress_non_maxima = false;
   return options;
 }

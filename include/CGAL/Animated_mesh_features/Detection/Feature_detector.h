@@ -13,18 +13,20 @@
 #include <CGAL/Animated_mesh_features/Animation/check_timing.h>
 #include <CGAL/Animated_mesh_features/Detection/Feature_selection.h>
 #include <CGAL/Animated_mesh_features/Detection/Spatio_temporal_feature.h>
+#include <CGAL/Animated_mesh_features/Detection/internal/Fitted_minima.h>
 #include <CGAL/Animated_mesh_features/Detection/internal/selected_features.h>
 #include <CGAL/Animated_mesh_features/Extrema/Extremum_options.h>
 #include <CGAL/Animated_mesh_features/Extrema/find_response_extrema.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Stage_scope.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
 
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -38,7 +40,11 @@ The second stage of a detection: a field over a rest shape in, features out. The
 `Deformation_measurement`, or one of your own: temperature, muscle activity, error of a simulation; its positive bumps are
 found.
 
-All minima of the response are kept, with their refined places: asking again with another selection costs next to nothing.
+All minima of the response are kept, with their refined places and their fits once they were asked for: asking again with
+another selection costs next to nothing.
+
+The strength of a feature is its amplitude times its fit (see `Feature_point`), with a response that knows of no amplitude
+`-response`. If the options bring no selection, it is `Feature_selection::of_any_field()`.
 
 A feature's `vertex` is the same as its `vertex_index`, and its `position` is that on the rest shape; `place_on_animation()`
 puts it on a moving mesh.
@@ -94,7 +100,8 @@ public:
   /*!
   writes the features to `out`, strongest first.
 
-  Time and memory: those of `find_response_extrema()` at the first call, then linear in the number of minima.
+  Time and memory: those of `find_response_extrema()` at the first call; for each minimum that is strong enough and was not
+  asked for before, a look at the samples of the field around it, see `Feature_fit_measure`; then linear in their number.
 
   \param out an output iterator of `Feature`.
   \param visitor a model of `DetectionVisitor`, by default one that does nothing.
@@ -108,7 +115,16 @@ public:
   {
     m_selection.check();
     if (!m_minima) find_minima(visitor);
-    const std::vector<Feature> selected = internal::selected_features(*m_shape, *m_minima, m_selection);
+    std::vector<Feature> selected;
+    {
+      const internal::Stage_scope stage(visitor, Stage::EXTREMA);
+      const Task_loop<ConcurrencyTag, Any_visitor> loop(visitor, Stage::EXTREMA);
+      // as a task, so that it can be cancelled in the middle
+      loop(1, [&](std::size_t) {
+        selected = internal::selected_features(
+            *m_shape, m_minima->above(m_selection, *m_shape, m_field, m_frame_duration, loop), m_selection);
+      });
+    }
     return std::copy(selected.begin(), selected.end(), out);
   }
 
@@ -130,11 +146,7 @@ private:
     std::vector<Feature> minima;
     minima.reserve(found.extrema.size());
     for (const Response_extremum& e : found.extrema) minima.push_back(feature(e));
-    std::sort(minima.begin(), minima.end(), [](const Feature& a, const Feature& b) {
-      return std::tie(a.response, a.vertex_index, a.time, a.sigma, a.tau) <
-             std::tie(b.response, b.vertex_index, b.time, b.sigma, b.tau);
-    });
-    m_minima = std::move(minima);
+    m_minima = internal::Fitted_minima<Feature>(std::move(minima), found.has_amplitudes);
     m_sigma = std::move(found.sigma_levels);
     m_tau = std::move(found.tau_levels);
   }
@@ -152,6 +164,7 @@ private:
     result.sigma = e.sigma;
     result.tau = e.tau;
     result.response = e.response;
+    result.amplitude = e.amplitude;
     result.at_scale_limit = e.at_scale_limit;
     Rest_shape::Point rest = Rest_shape::Point::Zero();
     for (std::size_t i = 0; i < 3; ++i) rest += e.barycentric_coordinates[i] * m_shape->points()[e.triangle[i]];
@@ -166,7 +179,7 @@ private:
   Options m_options;
   Feature_selection m_selection;
   double m_noise;
-  std::optional<std::vector<Feature>> m_minima; // strongest first
+  std::optional<internal::Fitted_minima<Feature>> m_minima;
   std::vector<double> m_sigma, m_tau;
 };
 

@@ -62,15 +62,36 @@ struct Feature_point
   /// the temporal scale \f$\tau\f$ (seconds).
   double tau = 0;
 
-  /// the scale-normalised space-time difference of Gaussians at the feature; negative.
+  /// the scale-normalised space-time difference of Gaussians at the feature; negative. Its unit is the business of the
+  /// `SpaceTimeResponse`.
   double response = 0;
+
+  /// the amplitude, in the unit of the field, of the Gaussian event of this \f$\sigma\f$ and \f$\tau\f$ that gives the
+  /// response: of a deformation, how much more than at its rest the surface is deformed there. It depends neither on the
+  /// range of scales nor on the length of the clip nor on its frame rate.
+  double amplitude = 0;
+
+  /// the correlation of the field around the feature with the feature's Gaussian, see `Feature_fit`: 1 for a Gaussian
+  /// event, near 0 for a place whose field has nothing of one.
+  double fit = 1;
+
+  /// by what features are sorted and selected: `amplitude` times `fit`, the part of the amplitude that the field bears
+  /// out, in the unit of the field. With a response that knows of no amplitude, such as the paper's, it is `-response`.
+  double strength = 0;
+
+  /// features at the same place, at whatever time, have the same number, those at the place of the strongest feature 0,
+  /// and so on. See `number_places()`.
+  std::size_t place = 0;
+
+  /// the rank of the strongest feature of another scale in which this one lies, in space and time; `none` if there is none.
+  std::size_t parent = none;
+
+  /// the `parent` of a feature that has none.
+  static constexpr std::size_t none = std::size_t(-1);
 
   /// `true` if the feature was found at the smallest or largest searched \f$\sigma\f$ or \f$\tau\f$, as happens on
   /// bands and tubes, of which the scale runs away: its true scale may lie outside of the range.
   bool at_scale_limit = false;
-
-  /// `-response`, positive: features are sorted by it.
-  double strength() const { return -response; }
 
   /// the radius \f$\sqrt2\,\sigma\f$ of the blob, at which a two-dimensional Gaussian's Laplacian changes sign.
   double radius() const { return std::sqrt(2.) * sigma; }

@@ -9,6 +9,8 @@
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
+#include <cstddef>
+
 namespace CGAL {
 namespace Animated_mesh_features {
 
@@ -16,14 +18,26 @@ namespace Animated_mesh_features {
 \ingroup PkgAnimatedMeshFeaturesDetection
 
 Which minima of the response become features.
+
+The defaults are those of a deformation, whose unit is known: strain and change of curvature are numbers without unit. For
+a field of another unit see `of_any_field()`.
 */
 struct Feature_selection
 {
-  /// the least strength, as a fraction of the strongest response found. In [0, 1].
-  double relative_threshold = 0.2;
+  /// the least strength, in the unit of the field. By default 1/8: a joint that bends by more than some 20 degrees
+  /// deforms the skin by that; measured on bodies with skeletons. It does not depend on what else happens in the clip.
+  double absolute_threshold = 0.125;
 
-  /// the least strength, absolute. The stricter of the two thresholds decides.
-  double absolute_threshold = 0;
+  /// the least strength, as a fraction of the strongest one found, in [0, 1]; by default there is none. The stricter of the
+  /// two thresholds decides. A single burst hides everything else by it.
+  double relative_threshold = 0;
+
+  /// the least fit, see `Feature_point::fit`; 0 or less: any. By default 0.4, below which one feature in ten is at a
+  /// joint that moves, and above which four in ten are.
+  double min_fit = 0.4;
+
+  /// that many features at most, the strongest ones.
+  std::size_t most_features = std::size_t(-1);
 
   /// whether to drop what lies within max(sigma) on the surface and max(tau) in time of a stronger feature, if sigma
   /// and tau of the two are each within a factor of 1.5.
@@ -32,13 +46,23 @@ struct Feature_selection
   /// whether features may lie on the border of the mesh, where the smoothing knows only one side.
   bool accept_border_vertices = true;
 
+  /// the selection for fields of any unit: at least a fifth of the strongest.
+  static Feature_selection of_any_field()
+  {
+    Feature_selection selection;
+    selection.absolute_threshold = 0;
+    selection.relative_threshold = 0.2;
+    return selection;
+  }
+
   /// checks that the thresholds make sense.
-  /// \throw Option_error if a threshold is out of its range.
+  /// \throw Option_error if a threshold or the least fit is out of its range.
   void check() const
   {
     if (!(relative_threshold >= 0 && relative_threshold <= 1))
       throw Option_error("the relative threshold must be between 0 and 1");
     if (!(absolute_threshold >= 0)) throw Option_error("the absolute threshold must not be negative");
+    if (!(min_fit <= 1)) throw Option_error("the least fit must be at most 1");
   }
 };
 

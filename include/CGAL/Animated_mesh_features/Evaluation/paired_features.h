@@ -43,18 +43,19 @@ pairs the features of two lists one-to-one, as many as can be, see `maximum_matc
 inline Paired_features paired_features(const std::vector<Placed_feature>& a, const std::vector<Placed_feature>& b,
                                        const Matching_gates& gates)
 {
-  const std::vector<Placed_feature>&shorter = b.size() < a.size() ? b : a, &longer = b.size() < a.size() ? a : b;
+  const std::vector<Placed_feature>& shorter = b.size() < a.size() ? b : a;
+  const std::vector<Placed_feature>& longer = b.size() < a.size() ? a : b;
   Compressed_rows near_ones, similar_ones;
-  std::vector<Compressed_rows::Index> near, similar;
+  std::vector<Compressed_rows::Index> nearby, similar;
   for (const Placed_feature& f : shorter) {
-    near.clear();
+    nearby.clear();
     similar.clear();
     for (std::size_t k = 0; k < longer.size(); ++k) {
       if (!are_at_same_place_and_time(f, longer[k], gates)) continue;
-      near.push_back(Compressed_rows::Index(k));
+      nearby.push_back(Compressed_rows::Index(k));
       if (have_same_scales(f, longer[k], gates)) similar.push_back(Compressed_rows::Index(k));
     }
-    near_ones.push_back(near.begin(), near.end());
+    near_ones.push_back(nearby.begin(), nearby.end());
     similar_ones.push_back(similar.begin(), similar.end());
   }
   const auto has_partner = [&](const Compressed_rows& partners) {

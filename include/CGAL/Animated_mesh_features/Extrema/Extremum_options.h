@@ -11,6 +11,7 @@
 #include <CGAL/Animated_mesh_features/Scale_space/Difference_of_gaussians.h>
 #include <CGAL/Animated_mesh_features/Scale_space/Gaussian_temporal_filter.h>
 #include <CGAL/Animated_mesh_features/Scale_space/Heat_diffusion_filter.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Heat_kernel_normalization.h>
 #include <CGAL/Animated_mesh_features/Scale_space/Scale_sampling.h>
 
 #include <cstddef>
@@ -34,7 +35,8 @@ template <class SpatialFilter_ = Heat_diffusion_filter,
           class TemporalFilter_ = Gaussian_temporal_filter,
           class ScaleSampling_ = Fixed_ratio_sampling,
           class SpaceTimeResponse_ = Central_difference_of_gaussians,
-          class ExtremumSearch_ = Difference_of_gaussians_minima>
+          class ExtremumSearch_ = Difference_of_gaussians_minima,
+          class ScaleNormalization_ = Heat_kernel_normalization>
 struct Extremum_options
 {
   typedef SpatialFilter_ SpatialFilter;         ///< a model of the concept of this name
@@ -42,12 +44,14 @@ struct Extremum_options
   typedef ScaleSampling_ ScaleSampling;         ///< a model of the concept of this name
   typedef SpaceTimeResponse_ SpaceTimeResponse; ///< a model of the concept of this name
   typedef ExtremumSearch_ ExtremumSearch;       ///< a model of the concept of this name
+  typedef ScaleNormalization_ ScaleNormalization; ///< a model of the concept of this name
 
   SpatialFilter spatial_filter = SpatialFilter();    ///< the smoothing over the surface
   TemporalFilter temporal_filter = TemporalFilter(); ///< the smoothing over time
   ScaleSampling sampling = ScaleSampling();          ///< how much is smoothed: the levels of the scale space
   SpaceTimeResponse response = SpaceTimeResponse();  ///< what is made of the levels, and searched for minima
   ExtremumSearch search = ExtremumSearch();          ///< which samples of the response are minima
+  ScaleNormalization normalization = ScaleNormalization(); ///< by which factor responses fall with the scale
 
   /// limits the memory of the space levels that are kept at a time, in bytes; by default there is no limit, and 18 levels
   /// of `N x F` doubles at most. At least 5 are kept. Fewer levels cost time, as two of each batch are searched twice;

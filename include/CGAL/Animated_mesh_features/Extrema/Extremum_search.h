@@ -46,7 +46,13 @@ Strict local minima of a negative response; a model of `ExtremumSearch`.
 
 A sample is a minimum if it is below zero, below the samples of its vertex in the frame before and the frame after it,
 below the same sample at the 8 neighbouring scales, and below every sample of the one-ring in those three frames at its
-own scale. Equal samples are no minima, so that a flat region has none.
+own scale. Equal samples in time or scale are no minima, so that a flat region has none.
+
+With `join_equal`, of equal samples that are neighbours on the surface the one whose point on the rest shape has the
+smaller coordinates counts as lower; and minima of the same space level, at most one time level and one frame apart, are
+one if a path of vertices joins them whose responses, at scale and frame of the stronger one, are above 95 % of it. The
+strongest is kept, of minima that are equal to a millionth the one with the smaller coordinates. So a tube that swells all
+around by the same amount has one extremum, wherever rounding finds the strongest one, whatever the numbers of its vertices.
 
 \cgalModels{ExtremumSearch}
 */
@@ -55,6 +61,10 @@ struct Difference_of_gaussians_minima
   /// `at_vertex()` accepts nothing but strict minima below zero, over time and over scales: what the search in vector
   /// registers looks for.
   static constexpr bool strict_minima = true;
+
+  /// whether nearly equal minima that are joined by a path of nearly equal response are one, and of equal neighbours one is a
+  /// minimum, see above; the paper knows of neither.
+  bool join_equal = true;
 
   /// whether the sample in the middle of the window may be an extremum, by what its own vertex knows.
   template <class FT>

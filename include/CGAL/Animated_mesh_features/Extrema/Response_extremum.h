@@ -32,6 +32,7 @@ struct Response_extremum
   double sigma = 0;            ///< the spatial scale (length)
   double tau = 0;              ///< the temporal scale (s)
   double response = 0;         ///< the extremal value
+  double amplitude = 0;        ///< of the Gaussian event that gives it, in the unit of the field, if the response knows; else `-response`
   bool at_scale_limit = false; ///< found at the smallest or largest searched `sigma` or `tau`
 };
 
@@ -43,6 +44,7 @@ What `find_response_extrema()` returns.
 struct Response_extrema
 {
   std::vector<Response_extremum> extrema; ///< in no particular order, but always in the same
+  bool has_amplitudes = false;            ///< whether the response knows the amplitudes of events
   std::vector<double> sigma_levels;       ///< the \f$\sigma\f$ of all space levels (length)
   std::vector<double> tau_levels;         ///< the \f$\tau\f$ of all time levels (s)
 };

@@ -23,9 +23,11 @@
 
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -72,6 +74,37 @@ Response_extremum refined(const Extremum& e, const Rest_shape& shape, const Scal
   return r;
 }
 
+// Whether a response knows the amplitude of an event.
+template <class Response, class = void>
+struct Has_amplitude : std::false_type
+{
+};
+template <class Response>
+struct Has_amplitude<Response, std::enable_if_t<Response::has_amplitude>> : std::true_type
+{
+};
+
+// The dimension d of the surface around a vertex at a space level: the factors are proportional to sigma^((d - 2) / 2).
+inline double dimension(const Extremum& e, const std::vector<float>& factors, const std::vector<double>& sigma)
+{
+  if (factors.empty()) return 2;
+  const float* const factor = factors.data() + e.vertex * sigma.size();
+  const double slope = std::log(double(factor[e.k + 1]) / double(factor[e.k - 1])) / std::log(sigma[e.k + 1] / sigma[e.k - 1]);
+  return (std::min)(2., (std::max)(0., 2 + 2 * slope));
+}
+
+template <class Response>
+double amplitude(const Extremum& e, const Response_extremum& refined, const Response& response,
+                 const std::vector<float>& factors, const std::vector<double>& sigma)
+{
+  if constexpr (Has_amplitude<Response>::value) {
+    const double factor = factors.empty() ? 1 : double(factors[e.vertex * sigma.size() + e.k]);
+    return response.amplitude(refined.response / factor, e.k, e.l, refined.sigma, refined.tau,
+                              dimension(e, factors, sigma));
+  } else
+    return -refined.response;
+}
+
 } // namespace internal
 
 /*!
@@ -86,7 +119,8 @@ see `Extremum_options::level_memory`; levels live where the field does.
 
 \tparam ConcurrencyTag `CGAL::Parallel_if_available_tag` or `CGAL::Sequential_tag`. The result is the same, bit for bit.
 \tparam FT `float` or `double`; the smoothing is in double precision.
-\tparam SpatialFilter, TemporalFilter, ScaleSampling, SpaceTimeResponse, ExtremumSearch see `Extremum_options`.
+\tparam SpatialFilter, TemporalFilter, ScaleSampling, SpaceTimeResponse, ExtremumSearch, ScaleNormalization see
+`Extremum_options`.
 
 \param shape the surface at rest.
 \param field `N x F`, rows in the order of the shape's vertices.
@@ -101,10 +135,10 @@ see `Extremum_options::level_memory`; levels live where the field does.
 \throw Cancelled if the visitor asks for it.
 */
 template <class ConcurrencyTag = CGAL::Parallel_if_available_tag, class FT, class SpatialFilter, class TemporalFilter,
-          class ScaleSampling, class SpaceTimeResponse, class ExtremumSearch>
+          class ScaleSampling, class SpaceTimeResponse, class ExtremumSearch, class ScaleNormalization>
 Response_extrema find_response_extrema(
     const Rest_shape& shape, const Spatio_temporal_field<FT>& field, double frame_duration,
-    Extremum_options<SpatialFilter, TemporalFilter, ScaleSampling, SpaceTimeResponse, ExtremumSearch> options,
+    Extremum_options<SpatialFilter, TemporalFilter, ScaleSampling, SpaceTimeResponse, ExtremumSearch, ScaleNormalization> options,
     double noise = 0, Any_visitor visitor = Any_visitor())
 {
   typedef SpaceTimeResponse Response;
@@ -113,6 +147,7 @@ Response_extrema find_response_extrema(
   const Scale_levels levels =
       options.sampling(shape, frames, frame_duration, options.spatial_filter, options.temporal_filter);
   internal::check_number_of_levels<Response>(levels);
+  std::vector<float> factors;
   {
     const internal::Stage_scope stage(visitor, Stage::SCALE_SPACE);
     // a range of no length, so that the fraction is 0 until there are levels
@@ -121,9 +156,11 @@ Response_extrema find_response_extrema(
     preparation(1, [&](std::size_t) {
       options.spatial_filter.initialize(shape, levels.space_variances, preparation);
       options.temporal_filter.initialize(frames, frame_duration, levels.time_variances);
+      factors = options.normalization(shape, levels.space_variances, preparation);
     });
   }
   Response_extrema result;
+  result.has_amplitudes = internal::Has_amplitude<Response>::value;
   for (std::size_t k = 0; k < levels.space_variances.size(); ++k)
     result.sigma_levels.push_back(levels.sigma_factor * std::sqrt(options.spatial_filter.variance(k)));
   for (std::size_t l = 0; l < levels.time_variances.size(); ++l)
@@ -138,8 +175,15 @@ Response_extrema find_response_extrema(
   const std::size_t levels_in_memory = options.level_memory / level_size;
   engine.set_largest_batch(levels_in_memory > around ? levels_in_memory - around : 1);
   engine.set_least_response(noise);
-  for (const internal::Extremum& e : engine.template run<ConcurrencyTag>(field, options.spatial_filter, visitor))
-    if (-e.response() > noise) result.extrema.push_back(internal::refined(e, shape, levels, options, result));
+  engine.set_factors(factors);
+  engine.set_frame_duration(frame_duration);
+  for (const internal::Extremum& e : engine.template run<ConcurrencyTag>(field, options.spatial_filter, visitor)) {
+    if (!(-e.response() > noise)) continue;
+    Response_extremum extremum = internal::refined(e, shape, levels, options, result);
+    extremum.amplitude = internal::amplitude(e, extremum, options.response, factors, result.sigma_levels);
+    if (levels.reported_sigma.contains(extremum.sigma) && levels.reported_tau.contains(extremum.tau))
+      result.extrema.push_back(extremum);
+  }
   return result;
 }
 

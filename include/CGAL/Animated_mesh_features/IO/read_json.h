@@ -111,6 +111,12 @@ inline Feature_point read_feature(const Json_value& feature, const Result_descri
   f.sigma = feature["sigma"].number();
   f.tau = feature["tau"].number();
   f.response = feature["response"].number();
+  f.strength = feature["strength"].number();
+  // which files of other programs need not have
+  if (feature.has("amplitude")) f.amplitude = feature["amplitude"].number();
+  if (feature.has("fit")) f.fit = feature["fit"].number();
+  if (feature.has("place")) f.place = feature["place"].count();
+  if (feature.has("parent") && !feature["parent"].json().is_null()) f.parent = feature["parent"].count();
   read_triple(feature["rest_position"], f.rest_position, number);
   read_triple(feature["triangle"], f.triangle, vertex);
   read_triple(feature["barycentric_coordinates"], f.barycentric_coordinates, number);
@@ -171,9 +177,10 @@ inline Feature_file_data read_json_text(const std::string& text, const std::stri
 reads features from JSON, as `write_json()` writes it: they are the same numbers, bit for bit, and `write_json()`
 makes the same bytes of them.
 
-- What follows from other members is not looked at: `radius` and `strength`. `Feature_point::refined_frame`, which is
+- What follows from other members is not looked at: `radius`. `Feature_point::refined_frame`, which is
   not written, is `time` over the time between two frames.
-- Members that are not known are ignored.
+- Members that are not known are ignored. `amplitude`, `fit`, `place` and `parent` may be missing; `amplitude` is 0 then,
+  and the others are as in a `Feature_point` of which nothing is known.
 - Numbers of parameters that are written without a point and without an exponent are `std::int64_t` if they fit,
   others `double`; an empty array is one of numbers; `null` in an array of numbers stands for what is not finite and
   becomes NaN.

@@ -11,10 +11,13 @@
 #include <CGAL/Animated_mesh_features/IO/internal/Json_value.h>
 #include <CGAL/Animated_mesh_features/IO/internal/file_content.h>
 #include <CGAL/Animated_mesh_features/IO/internal/parse_json.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <istream>
+#include <iterator>
 #include <string>
 
 namespace CGAL {
@@ -83,13 +86,28 @@ reads what somebody painted on an animation, a JSON file:
 A stroke holds the vertices that are painted, counted from 0 in the order of the animation that was painted on, from the
 first to the last of `frames`; `frame`, in which it was painted, may be missing. Members that are not known are ignored.
 
-\throws Input_error if the file cannot be read; it is no JSON, or no painting; its version is not known; a member is missing
+\param is a stream; read to its end.
+\param name the file for messages.
+
+\throws Input_error if the stream cannot be read; it is no JSON, or no painting; its version is not known; a member is missing
 or of another type; a vertex or a frame is not in the animation, frames are in the wrong order, or `frame` is not within
 them; it is nested more than 64 times. The message names the file and the member, as `strokes[3].vertices[0]`.
 
 Linear in the size of the file, which is held in memory.
 
 Needs nlohmann-json 3.9 or newer.
+*/
+inline Painting_file_data read_painting(std::istream& is, const std::string& name)
+{
+  const std::string text{std::istreambuf_iterator<char>(is), std::istreambuf_iterator<char>()};
+  if (!is) throw Input_error(name + ": cannot read");
+  return internal::read_painting_text(text, name);
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesReading
+
+the same from the file at `path`.
 */
 inline Painting_file_data read_painting(const std::string& path)
 {

@@ -11,10 +11,13 @@
 #include <CGAL/Animated_mesh_features/IO/internal/Json_value.h>
 #include <CGAL/Animated_mesh_features/IO/internal/file_content.h>
 #include <CGAL/Animated_mesh_features/IO/internal/parse_json.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cstddef>
+#include <istream>
+#include <iterator>
 #include <string>
 
 namespace CGAL {
@@ -85,13 +88,28 @@ reads the events of a rig, a JSON file that is bound to no format of models:
 `region` are the vertices that both sides of the joint move, counted from 0, such as those whose weights on the joint and
 what hangs on it sum to between 0.1 and 0.9; angles are against the pose at rest. Members that are not known are ignored.
 
-\throws Input_error if the file cannot be read; it is no JSON, or no such file; its version is not known; a member is
+\param is a stream; read to its end.
+\param name the file for messages.
+
+\throws Input_error if the stream cannot be read; it is no JSON, or no such file; its version is not known; a member is
 missing or of another type, a number is negative or not finite, a vertex is not in the animation; it is nested more than 64
 times. The message names the file and the member, as `joints[3].maxima[0].time`.
 
 Linear in the size of the file, which is held in memory.
 
 Needs nlohmann-json 3.9 or newer.
+*/
+inline Rig_file_data read_rig_events(std::istream& is, const std::string& name)
+{
+  const std::string text{std::istreambuf_iterator<char>(is), std::istreambuf_iterator<char>()};
+  if (!is) throw Input_error(name + ": cannot read");
+  return internal::read_rig_text(text, name);
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesReading
+
+the same from the file at `path`.
 */
 inline Rig_file_data read_rig_events(const std::string& path)
 {

@@ -45,7 +45,11 @@ void to_json(Json& json, const Feature_point& feature)
                        {"tau", feature.tau},
                        {"radius", feature.radius()},
                        {"response", feature.response},
-                       {"strength", feature.strength()},
+                       {"amplitude", feature.amplitude},
+                       {"fit", feature.fit},
+                       {"strength", feature.strength},
+                       {"place", feature.place},
+                       {"parent", feature.parent == Feature_point::none ? Json(nullptr) : Json(feature.parent)},
                        {"rest_position", feature.rest_position},
                        {"triangle", feature.triangle},
                        {"barycentric_coordinates", feature.barycentric_coordinates},
@@ -133,7 +137,7 @@ first.
   "preset": "calibrated"},
  "features": [
   {"vertex":12,"frame":7,"time":0.2371,"position":[0.0,0.0,0.0],"sigma":0.06,"tau":0.1,"radius":0.085,
-   "response":-0.31,"strength":0.31,"rest_position":[0.0,0.0,0.0],"triangle":[12,13,20],
+   "response":-0.31,"amplitude":0.7,"fit":0.9,"strength":0.63,"place":0,"parent":null,"rest_position":[0.0,0.0,0.0],"triangle":[12,13,20],
    "barycentric_coordinates":[1.0,0.0,0.0],"at_scale_limit":false}]}
 \endcode
 

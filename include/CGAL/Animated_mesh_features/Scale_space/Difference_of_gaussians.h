@@ -66,6 +66,34 @@ public:
     return m_sigma[k] / m_unit_length / std::sqrt(m_tau[l] / m_unit_time) / std::log(m_tau[l + 1] / m_tau[l - 1]);
   }
 
+  /// knows the amplitude of a Gaussian event.
+  static constexpr bool has_amplitude = true;
+
+  /*!
+  the amplitude of the Gaussian event that gives a response at its own scales.
+
+  On a surface of dimension d at that scale, 2 on a disc and 1 on a tube, an event
+  \f$A\,e^{-x^2/2\sigma_0^2} e^{-t^2/2\tau_0^2}\f$ is smoothed to
+  \f$A\,(1 + \sigma^2/\sigma_0^2)^{-d/2} (1 + \tau^2/\tau_0^2)^{-1/2}\f$ at its centre, of which the differences
+  follow.
+
+  \param response at the extremum, before it was multiplied by a factor of a `ScaleNormalization`.
+  \param k, l the extremum's levels: their ratios to the neighbouring levels are those of the differences.
+  \param sigma, tau the refined scales.
+  \param dimension d.
+  */
+  double amplitude(double response, std::size_t k, std::size_t l, double sigma, double tau, double dimension) const
+  {
+    const auto in_space = [&](double ratio) { return std::pow(1 + ratio * ratio, -dimension / 2); };
+    const auto in_time = [](double ratio) { return 1 / std::sqrt(1 + ratio * ratio); };
+    const double space = (in_space(m_sigma[k - 1] / m_sigma[k]) - in_space(m_sigma[k + 1] / m_sigma[k])) /
+                         std::log(m_sigma[k + 1] / m_sigma[k - 1]) * in_time(1);
+    const double time = (in_time(m_tau[l - 1] / m_tau[l]) - in_time(m_tau[l + 1] / m_tau[l])) /
+                        std::log(m_tau[l + 1] / m_tau[l - 1]) * in_space(1);
+    const double root = std::sqrt(tau / m_unit_time);
+    return -response / (root * space + sigma / m_unit_length / root * time);
+  }
+
 private:
   std::vector<double> m_sigma, m_tau;
   double m_unit_length = 1, m_unit_time = 1;

@@ -47,6 +47,11 @@ public:
   /// rows may be those of several vertices at once, see `TemporalFilter`.
   static constexpr bool vectorized = true;
 
+  /// \cond SKIP_IN_MANUAL
+  // A row that is turned round comes out turned round, to the last bit: pairs of frames are added first.
+  static constexpr bool is_mirror_symmetric = true;
+  /// \endcond
+
   /// the step where a sampling counts steps: the variance of a box of three frames (squared seconds).
   double unit_variance(std::size_t /* number_of_frames */, double frame_duration) const
   {

@@ -7,10 +7,25 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_SCALE_SPACE_SCALE_LEVELS_H
 #define CGAL_ANIMATED_MESH_FEATURES_SCALE_SPACE_SCALE_LEVELS_H
 
+#include <limits>
 #include <vector>
 
 namespace CGAL {
 namespace Animated_mesh_features {
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesScaleSpace
+
+A range of scales. Where it is an option, a bound of 0 stands for the default of the class that uses it.
+*/
+struct Scale_range
+{
+  double min = 0; ///< the smallest scale at which features are found
+  double max = 0; ///< the largest
+
+  /// whether a scale is in the range, up to rounding.
+  bool contains(double scale) const { return scale >= min * (1 - 1e-9) && scale <= max * (1 + 1e-9); }
+};
 
 /*!
 \ingroup PkgAnimatedMeshFeaturesScaleSpace
@@ -34,6 +49,13 @@ struct Scale_levels
 
   /// likewise for \f$\tau\f$.
   double tau_factor = 1;
+
+  /// \name Scales that are reported
+  /// An extremum is refined between the levels; what lies outside of these ranges then is dropped.
+  /// @{
+  Scale_range reported_sigma = {0, std::numeric_limits<double>::infinity()}; ///< length
+  Scale_range reported_tau = {0, std::numeric_limits<double>::infinity()};   ///< seconds
+  /// @}
 
   /// \name Units of the response
   /// The spatial and the temporal term of the scale-normalised difference of Gaussians have different dimensions, so

@@ -23,24 +23,16 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesScaleSpace
 
-A range of scales; a bound of 0 stands for the default of the class that uses it.
-*/
-struct Scale_range
-{
-  double min = 0; ///< the smallest scale at which features are found
-  double max = 0; ///< the largest
-};
-
-/*!
-\ingroup PkgAnimatedMeshFeaturesScaleSpace
-
 Levels at a fixed ratio, in units that do not depend on how surface and motion are sampled; a model of `ScaleSampling`,
 the default.
 
 Between `min` and `max` of a range lie \f$\mathrm{round}(\log_\rho(\max/\min)) + 1\f$ levels of ratio \f$\rho\f$ at
 which features are found; the response is computed at one level more on either side, and needs yet another one for its
-differences. The response measures \f$\sigma\f$ and
-\f$\tau\f$ in units of the geometric means of the ranges.
+differences. A feature whose refined scale is outside of the range is not reported: it belongs to another range, and a clip
+of half the frame rate would not have it.
+
+The two terms of the response differ by a velocity, \f$\sigma\f$ over \f$\tau\f$, so that a length and a time have to be
+fixed. They are the same for all ranges, clips and frame rates, so that responses are, too.
 
 \cgalModels{ScaleSampling}
 */
@@ -55,11 +47,20 @@ struct Fixed_ratio_sampling
   /// another frame rate are found again more often, by up to 8 % of the strongest 50, than at \f$\sqrt2\f$.
   double tau_ratio = std::cbrt(2.);
 
-  /// the range of \f$\sigma\f$ (length); by default 1.4 % to 17.5 % of the diameter of the rest shape.
+  /// the range of \f$\sigma\f$ (length); by default 1 % to 17.5 % of the diameter of the rest shape.
   Scale_range sigma;
 
-  /// the range of \f$\tau\f$ (seconds); by default from one frame to a sixth of the duration.
+  /// the range of \f$\tau\f$ (seconds); by default from one frame to a third of the duration: a gesture that is held
+  /// takes up much of its clip.
   Scale_range tau;
+
+  /// the length in which the response measures \f$\sigma\f$; 0: 5 % of the diameter of the rest shape, the size of a
+  /// joint.
+  double unit_length = 0;
+
+  /// the time in which the response measures \f$\tau\f$ (seconds); by default that of a quick movement of a body. For
+  /// animations whose seconds are not those of a body, set it to what lasts short there.
+  double unit_time = 0.1;
 
   /// scales of more than that many diameters, or durations, are refused: all is average then, and filters would go on
   /// without end.
@@ -79,18 +80,22 @@ struct Fixed_ratio_sampling
                           const TemporalFilter&) const
   {
     const double duration = double(number_of_frames) * frame_duration;
-    const Scale_range s = completed(sigma, 0.014 * shape.diameter(), 0.175 * shape.diameter());
-    const Scale_range t = completed(tau, frame_duration, (std::max)(duration / 6, frame_duration));
+    const Scale_range s = completed(sigma, 0.01 * shape.diameter(), 0.175 * shape.diameter());
+    const Scale_range t = completed(tau, frame_duration, (std::max)(duration / 3, frame_duration));
     check_largest(s, "sigma", shape.diameter(), "diameter of the rest shape");
     check_largest(t, "tau", duration, "duration of the animation");
+    if (!(unit_length >= 0) || !(unit_time > 0))
+      throw Option_error("the units of the response must be a length and a time, both positive");
     Scale_levels levels;
     // The smallest level, two below the first at which features are found, must have a variance that the filter can
     // make.
     const double finest = sigma_ratio * sigma_ratio * std::sqrt(spatial.smallest_variance(shape));
     levels.space_variances = variances(s, sigma_ratio, finest, "sigma", "edge length of the mesh");
     levels.time_variances = variances(t, tau_ratio, 0, "tau", "time between frames");
-    levels.unit_length = std::sqrt(s.min * s.max);
-    levels.unit_time = std::sqrt(t.min * t.max);
+    levels.unit_length = unit_length > 0 ? unit_length : 0.05 * shape.diameter();
+    levels.unit_time = unit_time;
+    levels.reported_sigma = s;
+    levels.reported_tau = t;
     return levels;
   }
 

@@ -9,9 +9,11 @@
 
 #include <CGAL/Animated_mesh_features/Detection/Feature_selection.h>
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/Detection/internal/mark_places.h>
 #include <CGAL/Animated_mesh_features/Detection/internal/suppress_non_maxima.h>
 
 #include <algorithm>
+#include <tuple>
 #include <vector>
 
 namespace CGAL {
@@ -27,23 +29,27 @@ auto selection_of(const Options& options, int) -> decltype(Feature_selection(opt
 template <class Options>
 Feature_selection selection_of(const Options&, long)
 {
-  return Feature_selection();
+  return Feature_selection::of_any_field();
 }
 
-// Of all minima, strongest first, those that become features.
+// Of minima that are strong enough those that become features, strongest first.
 template <class Feature>
 std::vector<Feature>
-selected_features(const Rest_shape& shape, const std::vector<Feature>& minima, const Feature_selection& selection)
+selected_features(const Rest_shape& shape, std::vector<Feature> minima, const Feature_selection& selection)
 {
-  std::vector<Feature> selected;
-  if (minima.empty()) return selected;
-  const double least =
-      (std::max)(selection.absolute_threshold, selection.relative_threshold * minima.front().strength());
-  for (const Feature& f : minima) {
-    if (f.strength() < least) break;
-    if (selection.accept_border_vertices || !shape.is_border(f.vertex_index)) selected.push_back(f);
-  }
-  return selection.suppress_non_maxima ? suppress_non_maxima(shape, selected) : selected;
+  const auto is_left_out = [&](const Feature& f) {
+    return (selection.min_fit > 0 && !(f.fit >= selection.min_fit)) ||
+           (!selection.accept_border_vertices && shape.is_border(f.vertex_index));
+  };
+  minima.erase(std::remove_if(minima.begin(), minima.end(), is_left_out), minima.end());
+  std::sort(minima.begin(), minima.end(), [](const Feature& a, const Feature& b) {
+    return std::tie(b.strength, a.vertex_index, a.time, a.sigma, a.tau) <
+           std::tie(a.strength, b.vertex_index, b.time, b.sigma, b.tau);
+  });
+  if (selection.suppress_non_maxima) minima = suppress_non_maxima(shape, minima);
+  if (minima.size() > selection.most_features) minima.resize(selection.most_features);
+  mark_places(shape, minima);
+  return minima;
 }
 
 } // namespace internal

@@ -13,10 +13,12 @@
 #include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_batch.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_weights.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/join_equal_extrema.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Temporal_weights.h>
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Animated_mesh_features {
@@ -56,7 +58,10 @@ public:
     // Neighbours first: a candidate has passed the test at its vertex already, though with less precision.
     extremum.ring.clear();
     for (Rest_shape::Index w : m_shape.neighbours()[c.vertex]) {
-      const double same = response(w, c.k, c.l, c.frame);
+      double same = response(w, c.k, c.l, c.frame);
+      // Of equal neighbours one counts as lower: on a ring that is exactly symmetric there would be no extremum at all.
+      if (same == centre && joins_equal(m_search))
+        same = std::nextafter(centre, (precedes(m_shape, c.vertex, w) ? 1 : -1) * std::numeric_limits<double>::infinity());
       if (!m_search.at_neighbour(centre, response(w, c.k, c.l, c.frame - 1), same,
                                  response(w, c.k, c.l, c.frame + 1)))
         return false;
@@ -77,7 +82,7 @@ public:
     return true;
   }
 
-private:
+  // The response anywhere; `rows` are those of a window that has the levels it is made of, at the frame `f`.
   double response(std::size_t v, std::size_t k, std::size_t l, std::size_t f, Rows& rows) const
   {
     const double a = m_weights.space(k, l), b = m_weights.time(k, l);
@@ -98,9 +103,10 @@ private:
       space_rest += (upper[j] - lower[j]) * now[j];
       time_rest += same[j] * (late[j] - early[j]);
     }
-    return a * (sum(space) + space_rest) + b * (sum(time) + time_rest);
+    return (a * (sum(space) + space_rest) + b * (sum(time) + time_rest)) * m_weights.factor(v, k);
   }
 
+private:
   static double sum(const Block& block)
   {
     double x[Block::size];

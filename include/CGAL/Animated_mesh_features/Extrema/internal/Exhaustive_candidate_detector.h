@@ -86,7 +86,8 @@ private:
     w.responses.assign((k1 - k0) * plane, 0);
     for (std::size_t k = k0; k < k1; ++k)
       for (std::size_t l = m_batch.below; l + m_batch.above < m_time_levels; ++l) {
-        const double a = m_weights.space(k, l), b = m_weights.time(k, l);
+        const double factor = m_weights.factor(v, k);
+        const double a = m_weights.space(k, l) * factor, b = m_weights.time(k, l) * factor;
         const double *s1 = smoothed(k + m_batch.above, l), *s0 = smoothed(k - m_batch.below, l);
         const double *t1 = smoothed(k, l + m_batch.above), *t0 = smoothed(k, l - m_batch.below);
         double* d = w.responses.data() + (k - k0) * plane + l * m_frames;

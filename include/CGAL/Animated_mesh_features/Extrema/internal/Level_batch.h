@@ -32,6 +32,12 @@ struct Level_batch
   std::size_t last_level() const { return last + 1 + above; }
 
   const double* row(std::size_t k, std::size_t v) const { return levels[k]->row(v); }
+
+  // the same for fewer extrema
+  Level_batch part(std::size_t part_first, std::size_t part_last) const
+  {
+    return {levels, part_first, part_last, below, above};
+  }
 };
 
 // A sample that may be an extremum.

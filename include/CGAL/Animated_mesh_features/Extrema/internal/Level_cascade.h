@@ -37,15 +37,11 @@ public:
   typedef T Scalar;
   static constexpr bool is_single = sizeof(T) == sizeof(float);
   typedef std::conditional_t<is_single, Level_cascade<double, TemporalFilter>, void> Precise;
-  static constexpr std::size_t pack_size = 16;
-  // Levels in a pack. In double precision those that all responses need, which makes it the precise variant of other
-  // cascades.
-  static constexpr std::size_t levels = is_single ? pack_size : pack_size + 8;
+  // Levels in a pack, of which as many responses are made but for `below` + `above`. In double precision half as many: one
+  // register at most, and hardly any of them idle where a mesh has few space levels.
+  static constexpr std::size_t pack_size = is_single ? 16 : 8;
 
-  static std::size_t largest_batch(std::size_t below, std::size_t above)
-  {
-    return is_single ? pack_size - 2 - below - above : pack_size - 2;
-  }
+  static std::size_t largest_batch(std::size_t below, std::size_t above) { return pack_size - 2 - below - above; }
 
   explicit Level_cascade(const TemporalFilter& temporal) : m_temporal(temporal) {}
 
@@ -55,7 +51,6 @@ public:
   class Rows
   {
     typedef Pack<T, pack_size, bytes> Response_pack;
-    typedef Pack<T, levels, bytes> Level_pack;
 
   public:
     Rows(const Level_cascade& cascade, const Level_batch& batch, std::size_t number_of_frames)
@@ -65,17 +60,14 @@ public:
       , m_cascade(batch.below + batch.above + 1)
     {
       // a frame more, since packs are loaded from beyond the last
-      for (std::vector<Level_pack>& row : m_cascade) row.assign(number_of_frames + 1, Level_pack::all(0));
+      for (std::vector<Response_pack>& row : m_cascade) row.assign(number_of_frames + 1, Response_pack::all(0));
     }
 
     void start(std::size_t v)
     {
       load_levels(m_batch, v, m_frames, m_loaded);
-      Level_pack bound = Level_pack::all(0);
-      for (const Level_pack& frame : m_loaded) bound = larger(bound, absolute(frame));
-      T numbers[levels];
-      bound.store(numbers);
-      m_bound = Response_pack::load(numbers);
+      m_bound = Response_pack::all(0);
+      for (const Response_pack& frame : m_loaded) m_bound = larger(m_bound, absolute(frame));
       m_smoothed = 0;
     }
 
@@ -92,7 +84,7 @@ public:
     CGAL_ANIMATED_MESH_FEATURES_INLINE Response_pack response(const Response_pack& a, const Response_pack& b,
                                                               std::size_t f) const
     {
-      const std::size_t i = f * levels;
+      const std::size_t i = f * pack_size;
       const Response_pack space =
           Response_pack::load(m_now + i + m_batch.below + m_batch.above) - Response_pack::load(m_now + i);
       const Response_pack time =
@@ -107,13 +99,13 @@ public:
     }
 
   private:
-    Level_pack* row(std::size_t l) { return m_cascade[l % m_cascade.size()].data(); }
+    Response_pack* row(std::size_t l) { return m_cascade[l % m_cascade.size()].data(); }
 
     const TemporalFilter& m_temporal;
     const Level_batch& m_batch;
     std::size_t m_frames;
-    std::vector<Level_pack> m_loaded;
-    std::vector<std::vector<Level_pack>> m_cascade; // time level l in [l % size]
+    std::vector<Response_pack> m_loaded;
+    std::vector<std::vector<Response_pack>> m_cascade; // time level l in [l % size]
     std::size_t m_smoothed = 0; // time levels made so far
     Response_pack m_bound;
     const T *m_now = nullptr, *m_late = nullptr, *m_early = nullptr;

@@ -26,10 +26,13 @@ public:
   static constexpr double noise = 1. / (1 << 30);
 
   // For space levels [below, space_levels - above), time levels likewise. No response that is at most `least` counts.
+  // `factors`, [vertex][space level], by which all responses are multiplied, is kept by reference; empty: all are 1.
   template <class Response>
   Level_weights(const Response& response, std::size_t space_levels, std::size_t time_levels, double largest_value,
-                double least)
-    : m_time_levels(time_levels)
+                double least, const std::vector<float>& factors)
+    : m_space_levels(space_levels)
+    , m_time_levels(time_levels)
+    , m_factors(&factors)
     , m_space(space_levels * time_levels, 0)
     , m_time(space_levels * time_levels, 0)
     , m_noise(noise * largest_value)
@@ -45,6 +48,13 @@ public:
   double space(std::size_t k, std::size_t l) const { return m_space[k * m_time_levels + l]; }
   double time(std::size_t k, std::size_t l) const { return m_time[k * m_time_levels + l]; }
 
+  // By which the responses at a vertex are multiplied.
+  bool has_factors() const { return !m_factors->empty(); }
+  double factor(std::size_t v, std::size_t k) const
+  {
+    return has_factors() ? double((*m_factors)[v * m_space_levels + k]) : 1;
+  }
+
   // A response that is not larger is no extremum.
   double floor(std::size_t k, std::size_t l) const
   {
@@ -52,7 +62,8 @@ public:
   }
 
 private:
-  std::size_t m_time_levels;
+  std::size_t m_space_levels, m_time_levels;
+  const std::vector<float>* m_factors;
   std::vector<double> m_space, m_time; // [k][l]
   double m_noise, m_least;
 };

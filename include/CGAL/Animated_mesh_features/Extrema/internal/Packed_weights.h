@@ -24,7 +24,9 @@ class Packed_weights
 {
 public:
   Packed_weights(const Level_weights& weights, const Level_batch& batch, std::size_t time_levels, std::size_t pack_size)
-    : m_pack_size(pack_size)
+    : m_weights(weights)
+    , m_batch(batch)
+    , m_pack_size(pack_size)
     , m_space(time_levels * pack_size, 0)
     , m_time(time_levels * pack_size, 0)
     , m_floor(time_levels * pack_size, 0)
@@ -38,11 +40,21 @@ public:
       }
   }
 
+  // Of a vertex: the factors of all space levels, for a pack of `numbers`.
+  bool has_factors() const { return m_weights.has_factors(); }
+  void factors(std::size_t v, T* numbers) const
+  {
+    const std::size_t first = m_batch.first - 1, levels = m_batch.last + 1 - first;
+    for (std::size_t i = 0; i < m_pack_size; ++i) numbers[i] = i < levels ? T(m_weights.factor(v, first + i)) : T(0);
+  }
+
   const T* space(std::size_t l) const { return m_space.data() + l * m_pack_size; }
   const T* time(std::size_t l) const { return m_time.data() + l * m_pack_size; }
   const T* floor(std::size_t l) const { return m_floor.data() + l * m_pack_size; }
 
 private:
+  const Level_weights& m_weights;
+  const Level_batch& m_batch;
   std::size_t m_pack_size;
   std::vector<T> m_space, m_time, m_floor; // [l][entry of the pack]
 };

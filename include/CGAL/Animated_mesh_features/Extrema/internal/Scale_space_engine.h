@@ -22,10 +22,12 @@
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_weights.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Temporal_weights.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Vectorized_candidate_detector.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/join_equal_extrema.h>
 #include <CGAL/Animated_mesh_features/Animation/largest_value.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <memory>
@@ -85,25 +87,33 @@ public:
   // Responses that are at most as large are none; default: 0.
   void set_least_response(double least) { m_least_response = least; }
 
+  // All responses at a vertex and space level are multiplied by a factor, [vertex][space level]; default: none.
+  void set_factors(std::vector<float> factors) { m_factors = std::move(factors); }
+
   void set_instruction_set(Instruction_set instructions) { m_instructions = instructions; }
+
+  // Seconds, in which the temporal filter has its variances. It only decides in which way candidates are found: without
+  // it, all weights of a row count as different from zero.
+  void set_frame_duration(double seconds) { m_frame_duration = seconds; }
 
   template <class ConcurrencyTag, class FT, class SpatialFilter>
   std::vector<Extremum> run(const Spatio_temporal_field<FT>& field, SpatialFilter& spatial, Any_visitor visitor)
   {
     const Level_weights weights(m_response, m_space_levels, m_time_levels, largest_value(field),
-                                m_least_response);
+                                m_least_response, m_factors);
     Temporal_weights<TemporalFilter> temporal_weights(m_temporal, m_frames, m_time_levels, below + above + 3);
+    const std::vector<double> costs = verification_costs();
     const auto run_with = [&](std::size_t fitting, const auto& make_detector) {
       return run_batches<ConcurrencyTag>(field, spatial, visitor, weights, temporal_weights, fitting, make_detector);
     };
     const auto run_cascade = [&](const auto& cascade) {
       typedef std::decay_t<decltype(cascade)> Cascade;
       return run_with(Cascade::largest_batch(below, above), [&](const Level_batch& batch) {
-        return Vectorized_candidate_detector<Cascade>(batch, weights, cascade, m_frames, m_time_levels, m_instructions);
+        return Vectorized_candidate_detector<Cascade>(batch, weights, cascade, m_frames, costs, m_instructions);
       });
     };
     if constexpr (Is_vectorized_filter<TemporalFilter>::value && Searches_strict_minima<Search>::value &&
-                  below + above <= 8) {
+                  below + above <= 5) { // what a pack has room for
       if (m_temporal.has_equal_steps()) return run_cascade(Difference_cascade<TemporalFilter>(m_temporal));
       if (levels_are_far_apart(spatial)) return run_cascade(Level_cascade<float, TemporalFilter>(m_temporal));
       return run_cascade(Level_cascade<double, TemporalFilter>(m_temporal));
@@ -117,6 +127,22 @@ public:
   }
 
 private:
+  // What a candidate costs to be verified, by time level: products with all frames that have a weight, of which the
+  // first few count as 1.
+  std::vector<double> verification_costs() const
+  {
+    constexpr double standard_deviations = 9, unit = 64;
+    std::vector<double> costs;
+    for (std::size_t l = 0; l < m_time_levels; ++l) {
+      double reach = double(m_frames);
+      if constexpr (Is_vectorized_filter<TemporalFilter>::value) // of others all candidates are verified
+        if (m_frame_duration > 0)
+          reach = (std::min)(reach, standard_deviations * std::sqrt(m_temporal.variance(l)) / m_frame_duration);
+      costs.push_back((std::max)(1., reach / unit));
+    }
+    return costs;
+  }
+
   // Whether differences of levels have enough digits in single precision to tell minima from their neighbours. They
   // need the square of the step: a fifth of the logarithm leaves some hundred roundings.
   template <class SpatialFilter>
@@ -171,7 +197,11 @@ private:
       }
       {
         const Stage_scope stage(visitor, Stage::EXTREMA);
-        search(batch, weights, make_detector(batch), search_loop.part(i, batches), temporal_weights, extrema);
+        std::vector<Extremum> found;
+        const auto loop = search_loop.part(i, batches);
+        search(batch, weights, make_detector(batch), loop.part(0, 2), temporal_weights, found);
+        if (joins_equal(m_search)) join(batch, weights, loop.part(1, 2), temporal_weights, found);
+        extrema.insert(extrema.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
       }
       // the next batch begins at batch.last
       for (std::size_t k = batch.first_level(); k < batch.last - 1 - below; ++k)
@@ -277,13 +307,41 @@ private:
     loop.finish();
   }
 
+  // Leaves one of equal extrema that belong together.
+  template <class Loop>
+  void join(const Level_batch& batch, const Level_weights& weights, const Loop& loop,
+            Temporal_weights<TemporalFilter>& temporal_weights, std::vector<Extremum>& extrema) const
+  {
+    const Extrema_of_like_scale like(extrema);
+    std::vector<std::vector<std::size_t>> with_equals(m_time_levels); // by time level
+    for (std::size_t i = 0; i < extrema.size(); ++i)
+      if (like.has_equal(i)) with_equals[extrema[i].l].push_back(i);
+    const Candidate_verifier<TemporalFilter, Search> verifier(m_shape, batch, weights, m_search);
+    std::vector<std::vector<Rest_shape::Index>> reached(extrema.size());
+    for (std::size_t l = 0; l < m_time_levels; ++l) {
+      if (with_equals[l].empty()) continue;
+      const auto level_loop = loop.part(l, m_time_levels);
+      temporal_weights.set_window(l - 1 - below, l + 2 + above, level_loop.part(0, 2));
+      level_loop.part(1, 2)(with_equals[l].size(), [&](std::size_t task) {
+        typename Temporal_weights<TemporalFilter>::Rows rows(temporal_weights);
+        const std::size_t i = with_equals[l][task];
+        const Extremum& e = extrema[i];
+        rows.seek(l - 1 - below, l + 2 + above, e.frame);
+        reached[i] = reached_from(m_shape, e, [&](std::size_t v) { return verifier.response(v, e.k, l, e.frame, rows); });
+      });
+    }
+    join_equal_extrema(m_shape, like, reached, extrema);
+    loop.finish();
+  }
+
   const Rest_shape& m_shape;
   std::size_t m_frames, m_space_levels, m_time_levels;
   const TemporalFilter& m_temporal;
   const Response& m_response;
   const Search& m_search;
   std::size_t m_largest_batch = std::size_t(-1);
-  double m_least_response = 0;
+  double m_least_response = 0, m_frame_duration = 0;
+  std::vector<float> m_factors;
   Instruction_set m_instructions = widest_instruction_set();
 };
 

@@ -41,6 +41,16 @@ struct Has_weights_by_distance<Filter, std::void_t<decltype(std::declval<const F
 {
 };
 
+// Whether a temporal filter does to a row that is turned round the same as to the row, to the last bit.
+template <class Filter, class = void>
+struct Is_mirror_symmetric : std::false_type
+{
+};
+template <class Filter>
+struct Is_mirror_symmetric<Filter, std::enable_if_t<Filter::is_mirror_symmetric>> : std::true_type
+{
+};
+
 // The weights of all frames in a frame of a level of a temporal filter, for a window of levels that moves upwards: row f
 // of the level's matrix T_l. Matrices have F^2 numbers a level; where these would be too many, rows are made of the
 // filter's weights by distance when they are asked for, if it tells them, as all filters do that continue a row by its
@@ -60,7 +70,8 @@ public:
     , m_bytes(bytes)
   {
     if constexpr (Has_weights_by_distance<TemporalFilter>::value)
-      m_is_by_distance = m_least_window > matrices_that_fit() && filter.reflects();
+      m_is_by_distance =
+          (number_of_frames > most_frames_of_matrices || m_least_window > matrices_that_fit()) && filter.reflects();
   }
 
   // Makes the levels [first, last) available, by `loop`; those before are dropped. Going back starts anew.
@@ -71,20 +82,34 @@ public:
     if constexpr (Has_weights_by_distance<TemporalFilter>::value)
       if (m_is_by_distance) {
         m_by_distance.resize(last - first);
-        loop(last - first, [&](std::size_t i) { m_by_distance[i] = shortened(m_filter.weights_by_distance(first + i)); });
+        loop.part(0, 2)(last - first, [&](std::size_t i) {
+          m_by_distance[i] = shortened(m_filter.weights_by_distance(first + i));
+        });
         m_first = first;
         m_last = last;
+        m_two_sided.resize(last - first);
+        loop.part(1, 2)(last - first, [&](std::size_t i) { m_two_sided[i] = two_sided(i); });
         return;
       }
     const bool goes_on = first >= m_first && first < m_last && last > m_last;
     const std::size_t size = m_stride * m_frames;
-    std::vector<double> values((last - first) * size);
-    if (goes_on) std::copy(m_values.begin() + std::ptrdiff_t((first - m_first) * size),
-                           m_values.end(), values.begin());
+    if (goes_on) // in place: there are never two windows in memory
+      m_values.erase(m_values.begin(), m_values.begin() + std::ptrdiff_t((first - m_first) * size));
+    else
+      m_values.clear();
+    if (m_values.capacity() < (last - first) * size) m_values.reserve((std::max)((last - first), window_size()) * size);
+    m_values.resize((last - first) * size);
     const std::size_t from = goes_on ? m_last : 0;
-    const double* before = goes_on ? values.data() + (m_last - 1 - first) * size : nullptr;
-    loop(m_stride / pack_size, [&](std::size_t group) { smooth_impulses(group, before, from, first, last, values); });
-    m_values.swap(values);
+    const double* before = goes_on ? m_values.data() + (m_last - 1 - first) * size : nullptr;
+    // of a symmetric filter the first half of the columns tells the others
+    const std::size_t columns = is_symmetric ? (m_frames + 1) / 2 : m_frames;
+    loop((columns + pack_size - 1) / pack_size, [&](std::size_t group) {
+      Impulse_loop impulses = {*this, group, before, from, first, last, m_values};
+      if constexpr (Is_vectorized_filter<TemporalFilter>::value)
+        run_reproducibly<double>(widest_instruction_set(), impulses);
+      else
+        impulses.template run<Baseline_register<double>::value>();
+    });
     m_first = first;
     m_last = last;
   }
@@ -107,12 +132,13 @@ public:
       const std::size_t n = m_weights.m_frames;
       m_end = n;
       if (!m_weights.m_is_by_distance) return;
-      std::size_t reach = 1;
-      for (std::size_t l = first; l < last; ++l) reach = (std::max)(reach, m_weights.by_distance(l).size() + 1);
+      const std::size_t reach = m_weights.reach(first, last);
       m_begin = frame > reach ? frame - reach : 0;
       m_end = (std::min)(n, frame + reach + 1);
       m_first = first;
       m_first_frame = frame - 1;
+      m_is_inside = frame >= reach && frame + reach < n;
+      if (m_is_inside) return;
       m_is_known.assign(3 * (last - first), 0);
       m_rows.resize(3 * (last - first) * (m_end - m_begin));
     }
@@ -125,34 +151,65 @@ public:
     const double* row(std::size_t l, std::size_t f)
     {
       if (!m_weights.m_is_by_distance) return m_weights.matrix_row(l, f);
+      if (m_is_inside) return m_weights.own_weight(l) - (f - m_begin);
       const std::size_t i = 3 * (l - m_first) + (f - m_first_frame);
       double* const row = m_rows.data() + i * (m_end - m_begin);
-      if (!m_is_known[i]) make_row(m_weights.by_distance(l), f, row);
+      if (!m_is_known[i]) make_row(l, f, row);
       m_is_known[i] = 1;
       return row;
     }
 
   private:
-    void make_row(const std::vector<double>& weights, std::size_t f, double* row) const
+    void make_row(std::size_t l, std::size_t f, double* row) const
     {
+      const std::vector<double>& weights = m_weights.by_distance(l);
       const std::size_t n = m_weights.m_frames, size = weights.size();
-      std::fill(row, row + (m_end - m_begin), 0.);
-      const auto at = [&](std::size_t j) -> double& { return row[j - m_begin]; };
-      for (std::size_t j = f >= size ? f - size + 1 : 0; j < (std::min)(n, f + size); ++j)
-        at(j) = weights[j < f ? f - j : j - f];
+      const double* const own = m_weights.own_weight(l);
+      std::copy(own - (f - m_begin), own + (m_end - f), row); // own[i] == own[-i]
       // the mirror images before the first frame and after the last one
-      for (std::size_t j = 0; j < n && f + j + 1 < size; ++j) at(j) += weights[f + j + 1];
-      for (std::size_t j = n; j-- > 0 && f + j + 1 > n && 2 * n - 1 - f - j < size;) at(j) += weights[2 * n - 1 - f - j];
+      const std::size_t to_first = f + m_begin + 1; // from the image of frame m_begin
+      if (to_first < size) add(weights.data() + to_first, (std::min)(m_end - m_begin, size - to_first), row);
+      const std::size_t distance = 2 * n - 1 - f; // to the image of frame 0, and less to those after it
+      const std::size_t first = (std::max)(m_begin, distance + 1 - (std::min)(size, n)); // what is n away was added above
+      if (first < m_end) add(own - (distance - first), m_end - first, row + (first - m_begin));
+    }
+
+    static void add(const double* weights, std::size_t count, double* row)
+    {
+      typedef Pack<double, 8, Baseline_register<double>::value> Block;
+      std::size_t i = 0;
+      for (; i + Block::size <= count; i += Block::size) (Block::load(row + i) + Block::load(weights + i)).store(row + i);
+      for (; i < count; ++i) row[i] += weights[i];
     }
 
     const Temporal_weights& m_weights;
     std::size_t m_begin = 0, m_end = 0, m_first = 0, m_first_frame = 0;
+    bool m_is_inside = false; // no mirror image has a weight: rows are parts of the weights of a level, as they are
     std::vector<char> m_is_known;
     std::vector<double> m_rows; // [level][frame][j - begin]
   };
 
 private:
   static constexpr std::size_t pack_size = 8;
+  static constexpr bool is_symmetric = Is_mirror_symmetric<TemporalFilter>::value;
+
+  // Rows of more frames are made of weights by distance where they can.
+  static constexpr std::size_t most_frames_of_matrices = 1024;
+
+  struct Impulse_loop
+  {
+    const Temporal_weights& weights;
+    std::size_t group;
+    const double* before;
+    std::size_t from, first, last;
+    std::vector<double>& values;
+
+    template <std::size_t bytes>
+    void run()
+    {
+      weights.template smooth_impulses<bytes>(group, before, from, first, last, values);
+    }
+  };
 
   std::size_t matrices_that_fit() const
   {
@@ -166,6 +223,34 @@ private:
 
   const std::vector<double>& by_distance(std::size_t l) const { return m_by_distance[l - m_first]; }
 
+  // Beyond it no row of the levels [first, last) has weights, for a frame or one next to it.
+  std::size_t reach(std::size_t first, std::size_t last) const
+  {
+    std::size_t result = 1;
+    for (std::size_t l = first; l < last; ++l) result = (std::max)(result, by_distance(l).size() + 1);
+    return result;
+  }
+
+  // The weights of level m_first + i on either side of a frame, with zeros as far as any level that is asked for together
+  // with it reaches from a frame next to it.
+  std::vector<double> two_sided(std::size_t i) const
+  {
+    const std::size_t l = m_first + i, levels = m_least_window;
+    const std::size_t half =
+        reach(l > m_first + levels ? l - levels : m_first, (std::min)(m_last, l + levels + 1)) + 1;
+    const std::vector<double>& weights = m_by_distance[i];
+    std::vector<double> result(2 * half + 1, 0);
+    for (std::size_t d = 0; d < weights.size(); ++d) result[half + d] = result[half - d] = weights[d];
+    return result;
+  }
+
+  // The weight that a frame of a level has itself, among those on either side.
+  const double* own_weight(std::size_t l) const
+  {
+    const std::vector<double>& weights = m_two_sided[l - m_first];
+    return weights.data() + weights.size() / 2;
+  }
+
   // Without the weights that vanish beside the sum, 1.
   static std::vector<double> shortened(std::vector<double> weights)
   {
@@ -173,38 +258,55 @@ private:
     return weights;
   }
 
+  // Writes some numbers of frame f of a matrix, from a column on; with a symmetric filter those of the first half only,
+  // and what they tell of the second.
+  void write(const double* numbers, std::size_t count, std::size_t f, std::size_t column, double* matrix) const
+  {
+    for (std::size_t j = column; j < (std::min)(column + count, m_frames); ++j) {
+      const std::size_t opposite = m_frames - 1 - j;
+      if (is_symmetric && j > opposite) break;
+      matrix[f * m_stride + j] = numbers[j - column];
+      if (is_symmetric && j < opposite) matrix[(m_frames - 1 - f) * m_stride + opposite] = numbers[j - column];
+    }
+  }
+
   // The columns of a group: impulses in `pack_size` successive frames, smoothed.
+  template <std::size_t bytes>
   void smooth_impulses(std::size_t group, const double* before, std::size_t from, std::size_t first, std::size_t last,
                        std::vector<double>& values) const
   {
     const std::size_t size = m_stride * m_frames, column = group * pack_size;
-    const auto smooth = [&](auto& row, auto& next, const auto& load, const auto& store) {
+    const auto smooth = [&](auto& row, auto& next, std::size_t i, std::size_t count, const auto& load,
+                            const auto& store) {
       for (std::size_t f = 0; f < m_frames; ++f) load(f, row[f]);
       for (std::size_t l = from; l < last; ++l) {
         m_filter(l, row.data(), next.data());
         row.swap(next);
         if (l >= first)
-          for (std::size_t f = 0; f < m_frames; ++f)
-            store(row[f], values.data() + (l - first) * size + f * m_stride + column);
+          for (std::size_t f = 0; f < m_frames; ++f) {
+            double numbers[pack_size] = {};
+            store(row[f], numbers);
+            write(numbers, count, f, column + i, values.data() + (l - first) * size);
+          }
       }
     };
     const auto entry = [&](std::size_t f, std::size_t i) {
       return before != nullptr ? before[f * m_stride + column + i] : double(f == column + i);
     };
     if constexpr (Is_vectorized_filter<TemporalFilter>::value) {
-      typedef Pack<double, pack_size, Baseline_register<double>::value> Block;
+      typedef Pack<double, pack_size, bytes> Block;
       std::vector<Block> row(m_frames), next(m_frames);
       const auto load = [&](std::size_t f, Block& block) {
         double numbers[pack_size];
         for (std::size_t i = 0; i < pack_size; ++i) numbers[i] = entry(f, i);
         block = Block::load(numbers);
       };
-      smooth(row, next, load, [](const Block& block, double* to) { block.store(to); });
+      smooth(row, next, 0, pack_size, load, [](const Block& block, double* to) { block.store(to); });
     } else {
       std::vector<double> row(m_frames), next(m_frames);
       for (std::size_t i = 0; i < pack_size && column + i < m_frames; ++i)
-        smooth(row, next, [&](std::size_t f, double& number) { number = entry(f, i); },
-               [&](double number, double* to) { to[i] = number; });
+        smooth(row, next, i, 1, [&](std::size_t f, double& number) { number = entry(f, i); },
+               [&](double number, double* to) { *to = number; });
     }
   }
 
@@ -214,6 +316,7 @@ private:
   std::size_t m_first = 0, m_last = 0;
   std::vector<double> m_values;                    // [l - first][f][j]
   std::vector<std::vector<double>> m_by_distance; // [l - first][distance]
+  std::vector<std::vector<double>> m_two_sided;   // the same on either side of the middle
 };
 
 } // namespace internal

@@ -13,6 +13,7 @@
 #include <CGAL/Animated_mesh_features/Extrema/internal/Packed_responses.h>
 #include <CGAL/Animated_mesh_features/Numerics/simd/run_vectorized.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -28,7 +29,8 @@ namespace internal {
 // its arithmetic leave possible, so that nothing is lost by single precision; they are verified afterwards.
 //
 // Where a field hardly changes over frames and scales, single precision leaves everything possible. A vertex of which
-// that is so is searched again with Cascade::Precise, unless that is `void`.
+// that is so is searched again with Cascade::Precise, unless that is `void`; as that may take fewer space levels at a time,
+// in parts of the batch.
 //
 // Cascade::Row<bytes> makes the responses of successive time levels of a vertex.
 template <class Cascade>
@@ -42,19 +44,36 @@ class Vectorized_candidate_detector
   };
   typedef std::conditional_t<is_precise, Nothing, Vectorized_candidate_detector<Precise_cascade>> Precise_detector;
 
+  struct Precise_part
+  {
+    template <class... Arguments>
+    Precise_part(const Level_batch& batch, std::size_t first, std::size_t last, const Arguments&... arguments)
+      : levels(batch.part(first, last))
+      , detector(levels, arguments...)
+    {}
+    const Level_batch levels;
+    const Precise_detector detector;
+  };
+
 public:
+  // costs: of verifying a candidate, by time level; 1 for short rows
   Vectorized_candidate_detector(const Level_batch& batch, const Level_weights& weights, const Cascade& cascade,
-                                std::size_t number_of_frames, std::size_t time_levels, Instruction_set instructions)
+                                std::size_t number_of_frames, const std::vector<double>& costs,
+                                Instruction_set instructions)
     : m_batch(batch)
-    , m_weights(weights, batch, time_levels, Cascade::pack_size)
+    , m_weights(weights, batch, costs.size(), Cascade::pack_size)
     , m_cascade(cascade)
     , m_frames(number_of_frames)
-    , m_time_levels(time_levels)
+    , m_costs(costs)
     , m_instructions(instructions)
   {
-    if constexpr (!is_precise)
-      m_precise = std::make_shared<const Precise_detector>(batch, weights, cascade.precise(), number_of_frames,
-                                                           time_levels, instructions);
+    if constexpr (!is_precise) {
+      const std::size_t largest = Precise_cascade::largest_batch(batch.below, batch.above);
+      for (std::size_t first = batch.first; first < batch.last; first += largest)
+        m_precise.push_back(std::make_shared<const Precise_part>(batch, first, (std::min)(batch.last, first + largest),
+                                                                 weights, cascade.precise(), number_of_frames, costs,
+                                                                 instructions));
+    }
   }
 
   void operator()(std::size_t first_vertex, std::size_t last_vertex, std::vector<Candidate>& candidates) const;
@@ -74,11 +93,11 @@ private:
     }
   };
 
-  // Verifying that many takes about as long as searching again.
-  std::size_t most_candidates() const
+  // Verifying what costs that much takes about as long as searching again.
+  double largest_cost() const
   {
-    constexpr std::size_t samples_per_candidate = 128;
-    return Cascade::pack_size * m_time_levels * m_frames / samples_per_candidate + 1;
+    constexpr double packs_per_candidate = 24;
+    return double(m_precise.size() * m_costs.size() * m_frames) / packs_per_candidate + 1;
   }
 
   template <std::size_t bytes>
@@ -89,23 +108,33 @@ private:
     typename Cascade::template Rows<bytes> rows(m_cascade, m_batch, m_frames);
     Packed_responses<Response_pack> responses(m_frames);
     const std::size_t last_entry = m_batch.last - m_batch.first + 1;
-    const std::size_t first = m_batch.below, last = m_time_levels - m_batch.above, most = most_candidates();
+    const std::size_t first = m_batch.below, last = m_costs.size() - m_batch.above;
+    const double largest = largest_cost();
     for (std::size_t v = first_vertex; v < last_vertex; ++v) {
       const std::size_t clear = candidates.size();
+      double cost = 0;
       rows.start(v);
       responses.start(first);
+      Response_pack factors = Response_pack::all(1);
+      if (m_weights.has_factors()) {
+        T numbers[Cascade::pack_size];
+        m_weights.factors(v, numbers);
+        factors = Response_pack::load(numbers);
+      }
       for (std::size_t l = first; l < last; ++l) {
         rows.advance(l);
-        const Response_pack a = Response_pack::load(m_weights.space(l)), b = Response_pack::load(m_weights.time(l));
+        const Response_pack a = Response_pack::load(m_weights.space(l)) * factors;
+        const Response_pack b = Response_pack::load(m_weights.time(l)) * factors;
         responses.push(rows.slack(a, b), Response_pack::load(m_weights.floor(l)),
                        [&](std::size_t f) { return rows.response(a, b, f); });
         if (!responses.can_search()) continue;
-        const std::size_t searched = responses.searched_level();
+        const std::size_t searched = responses.searched_level(), before = candidates.size();
         responses.search(last_entry, [&](std::size_t f, std::size_t entry) {
           candidates.push_back(
               {std::uint32_t(v), std::uint32_t(f), std::uint32_t(m_batch.first - 1 + entry), std::uint32_t(searched)});
         });
-        if (!is_precise && candidates.size() - clear > most) {
+        cost += m_costs[searched] * double(candidates.size() - before);
+        if (!is_precise && cost > largest) {
           candidates.resize(clear);
           unclear.push_back(v);
           break;
@@ -117,9 +146,10 @@ private:
   const Level_batch& m_batch;
   Packed_weights<T> m_weights;
   const Cascade m_cascade;
-  std::size_t m_frames, m_time_levels;
+  std::size_t m_frames;
+  const std::vector<double>& m_costs; // [time level]
   Instruction_set m_instructions;
-  std::shared_ptr<const Precise_detector> m_precise;
+  std::vector<std::shared_ptr<const Precise_part>> m_precise;
 };
 
 // Outside of the class: a function that is defined within it is compiled wherever it is used, also where it is had
@@ -132,7 +162,8 @@ void Vectorized_candidate_detector<Cascade>::operator()(std::size_t first_vertex
   Vector_loop loop = {*this, first_vertex, last_vertex, candidates, unclear};
   run_vectorized<T>(m_instructions, loop);
   if constexpr (!is_precise)
-    for (std::size_t v : unclear) (*m_precise)(v, v + 1, candidates);
+    for (std::size_t v : unclear)
+      for (const std::shared_ptr<const Precise_part>& part : m_precise) part->detector(v, v + 1, candidates);
 }
 
 } // namespace internal

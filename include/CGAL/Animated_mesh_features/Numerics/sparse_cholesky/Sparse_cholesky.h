@@ -12,6 +12,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/simd/run_vectorized.h>
 #include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/Multifrontal_factorization.h>
 #include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/Nested_dissection.h>
+#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/Selected_inverse.h>
 #include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/Symbolic_factorization.h>
 #include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/Triangular_solve.h>
 
@@ -183,6 +184,16 @@ public:
       Triangular_solve<T> some{&m_symbolic->structure(), m_values.data(), x.first_row(p), packs};
       run_reproducibly<T>(instructions, some);
     }
+  }
+
+  // The diagonal of A^-1, N numbers in the order of the matrix's rows, computed in double without solving for any column;
+  // see Selected_inverse. With any `instructions` they are the same.
+  //
+  // Takes twice the operations of the factorisation, on larger blocks: measured, up to a tenth longer with 4,000 to 65,000
+  // rows. Memory: as the factorisation, no more than that of the factor again.
+  std::vector<double> diagonal_of_inverse(Instruction_set instructions = widest_instruction_set()) const
+  {
+    return Selected_inverse(m_symbolic->structure(), instructions).diagonal(m_values.data());
   }
 
 private:

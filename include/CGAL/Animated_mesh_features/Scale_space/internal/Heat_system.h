@@ -48,16 +48,26 @@ public:
     }
     double total = 0;
     for (double m : m_mass) total += m;
-    const double mean = total / double(m_mass.size());
-    for (double& m : m_mass) m = m > 0 ? m / mean : 1;
-    for (double& w : m_weights) w /= mean;
-    for (double& d : m_diagonal) d /= mean;
+    m_mean_mass = total / double(m_mass.size());
+    m_is_on_surface.reserve(m_mass.size());
+    for (double& m : m_mass) {
+      m_is_on_surface.push_back(m > 0);
+      m = m > 0 ? m / m_mean_mass : 1;
+    }
+    for (double& w : m_weights) w /= m_mean_mass;
+    for (double& d : m_diagonal) d /= m_mean_mass;
   }
 
   std::size_t size() const { return m_mass.size(); }
   const Symbolic_cholesky& symbolic() const { return m_symbolic; }
   const std::vector<double>& mass() const { return m_mass; }
   const Compressed_rows& neighbours() const { return m_symbolic.neighbours(); }
+
+  // The unit of all masses, an area; zero if there is no proper triangle.
+  double mean_mass() const { return m_mean_mass; }
+
+  // Whether v is in a proper triangle.
+  bool is_on_surface(std::size_t v) const { return m_is_on_surface[v] != 0; }
 
   // -L, for each of the neighbours of v.
   const double* weights(std::size_t v) const { return m_weights.data() + first_entry(v); }
@@ -85,6 +95,8 @@ private:
 
   Symbolic_cholesky m_symbolic; // with a copy of the neighbours, as filters live on when shapes are gone
   std::vector<double> m_mass, m_weights, m_diagonal;
+  std::vector<char> m_is_on_surface;
+  double m_mean_mass = 0;
 };
 
 } // namespace internal

@@ -9,6 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
 #include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/Cholesky_panel.h>
+#include <CGAL/Animated_mesh_features/Numerics/sparse_cholesky/internal/multiply_tiles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,38 +66,16 @@ private:
     return values + Panel::triangle_size(panel->width) + (i - triangle) * tile * panel->width;
   }
 
-  // sums[t][c] = sum over k < count of a_t[k] b[k][c]
-  template <std::size_t register_bytes, std::size_t tiles>
-  static CGAL_ANIMATED_MESH_FEATURES_INLINE void multiply(const double* const (&a)[tiles], const double* b,
-                                                          std::size_t count,
-                                                          Pack<double, tile, register_bytes> (&sums)[tiles][tile])
-  {
-    typedef Pack<double, tile, register_bytes> Column;
-    CGAL_ANIMATED_MESH_FEATURES_UNROLL
-    for (std::size_t t = 0; t < tiles; ++t) {
-      CGAL_ANIMATED_MESH_FEATURES_UNROLL
-      for (std::size_t c = 0; c < tile; ++c) sums[t][c] = Column::all(0);
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      CGAL_ANIMATED_MESH_FEATURES_UNROLL
-      for (std::size_t t = 0; t < tiles; ++t) {
-        const Column column = Column::load(a[t] + tile * k);
-        CGAL_ANIMATED_MESH_FEATURES_UNROLL
-        for (std::size_t c = 0; c < tile; ++c) sums[t][c] = sums[t][c] + column * b[tile * k + c];
-      }
-    }
-  }
-
   // What the columns before those of tile j take from them, in `tiles` tiles from the i-th on.
   template <std::size_t register_bytes, std::size_t tiles>
   CGAL_ANIMATED_MESH_FEATURES_INLINE void reduce_columns(std::size_t i, std::size_t j, std::size_t columns)
   {
-    typedef Pack<double, tile, register_bytes> Column;
+    typedef Tile_column<register_bytes> Column;
     double* a[tiles];
     const double* read[tiles];
     for (std::size_t t = 0; t < tiles; ++t) read[t] = a[t] = tile_of_rows(i + t);
     Column sums[tiles][tile];
-    multiply<register_bytes, tiles>(read, tile_of_rows(j), tile * j, sums);
+    multiply_tiles<register_bytes, tiles>(read, tile_of_rows(j), tile * j, sums);
     CGAL_ANIMATED_MESH_FEATURES_UNROLL
     for (std::size_t t = 0; t < tiles; ++t) {
       CGAL_ANIMATED_MESH_FEATURES_UNROLL
@@ -138,14 +117,14 @@ private:
   template <std::size_t register_bytes, std::size_t tiles>
   CGAL_ANIMATED_MESH_FEATURES_INLINE void reduce_update(std::size_t i, std::size_t j)
   {
-    typedef Pack<double, tile, register_bytes> Column;
+    typedef Tile_column<register_bytes> Column;
     const std::size_t triangle = Panel::number_of_tiles(panel->width);
     const std::size_t stride = Panel::number_of_tiles(panel->height) * tile;
     const std::size_t columns = (std::min)(tile, panel->height - tile * j);
     const double* a[tiles];
     for (std::size_t t = 0; t < tiles; ++t) a[t] = tile_of_rows(triangle + i + t);
     Column sums[tiles][tile];
-    multiply<register_bytes, tiles>(a, tile_of_rows(triangle + j), panel->width, sums);
+    multiply_tiles<register_bytes, tiles>(a, tile_of_rows(triangle + j), panel->width, sums);
     CGAL_ANIMATED_MESH_FEATURES_UNROLL
     for (std::size_t t = 0; t < tiles; ++t) {
       CGAL_ANIMATED_MESH_FEATURES_UNROLL
