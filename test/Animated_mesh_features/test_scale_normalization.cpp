@@ -80,8 +80,8 @@ void check_factors(const std::string& name, const Shape& s, const std::vector<st
       is_close = is_close && std::abs(error) < 0.01 + 0.15 * edge / sigma;
     }
     CHECK(is_close);
-    std::cout << name << ", sigma of " << sigma / edge << " edges: factor " << expected << ", errors from " << low << " to "
-              << high << std::endl;
+    std::cout << name << ", sigma of " << sigma / edge << " edges: factor " << expected << ", errors from " << low
+              << " to " << high << std::endl;
   }
 }
 
@@ -296,7 +296,8 @@ void test_cancellation()
 {
   Impatient_visitor visitor;
   const Amf::Task_loop<CGAL::Sequential_tag, Impatient_visitor> loop(visitor, Amf::Stage::SCALE_SPACE);
-  CHECK_THROWS(Amf::Cancelled, Amf::Heat_kernel_normalization()(rest_shape_of(sphere(2)), variances_at(0.3, 3), loop), "");
+  CHECK_THROWS(Amf::Cancelled, Amf::Heat_kernel_normalization()(rest_shape_of(sphere(2)), variances_at(0.3, 3), loop),
+               "");
 }
 
 int main()
