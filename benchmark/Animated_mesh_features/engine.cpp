@@ -15,6 +15,7 @@
 #include <CGAL/Animated_mesh_features/Deformation/curvature.h>
 #include <CGAL/Animated_mesh_features/Deformation/deformation.h>
 #include <CGAL/Animated_mesh_features/Deformation/strain.h>
+#include <CGAL/Animated_mesh_features/Extrema/find_response_extrema.h>
 #include <CGAL/detect_spatio_temporal_features.h>
 
 #ifdef _OPENMP
@@ -57,7 +58,6 @@ Amf::Published_options options_for(const Counts& c)
   Amf::Published_options options = Amf::published_options(c.box_width);
   options.sampling.max_space_count = c.space;
   options.sampling.max_time_count = c.time;
-  options.selection.relative_threshold = 0;
   return options;
 }
 
@@ -74,18 +74,19 @@ template <class FT>
 std::vector<Minimum> detect(const Amf::Frame_sequence<Mesh, FT>& sequence,
                             const Amf::Spatio_temporal_field<double>& field, const Counts& counts, double& seconds)
 {
-  typedef Amf::Feature_detector<FT, Amf::Published_options> Detector;
-  Detector detector(sequence.rest_shape(), converted<FT>(field), sequence.frame_duration(), options_for(counts));
-  std::vector<typename Detector::Feature> features;
-  seconds = seconds_of([&] { detector(std::back_inserter(features)); });
+  const Amf::Spatio_temporal_field<FT> values = converted<FT>(field);
+  const Amf::Published_options::Search options = options_for(counts);
+  Amf::Response_extrema found;
+  seconds = seconds_of([&] {
+    found = Amf::find_response_extrema(sequence.rest_shape(), values, sequence.frame_duration(), options);
+  });
   // A level is as many averages, and a scale is the square root of a variance.
   const auto level = [](const std::vector<double>& scales, double scale) {
     return scale * scale / (scales[1] * scales[1]);
   };
   std::vector<Minimum> minima;
-  for (const auto& f : features)
-    minima.push_back({f.vertex_index, f.frame, level(detector.sigma_levels(), f.sigma),
-                      level(detector.tau_levels(), f.tau), f.strength});
+  for (const Amf::Response_extremum& e : found.extrema)
+    minima.push_back({e.vertex, e.frame, level(found.sigma_levels, e.sigma), level(found.tau_levels, e.tau), -e.response});
   return minima;
 }
 
@@ -204,8 +205,8 @@ public:
       };
       add("naive, (k, l) from (k-1, l)", naive);
       add("naive, (k, l) from (k, l-1)", naive_values(Naive::TIME_FIRST, threads, false));
-      add("Feature_detector, double", detector_values(*m_double, threads));
-      add("Feature_detector, float", detector_values(*m_float, threads));
+      add("find_response_extrema, double", detector_values(*m_double, threads));
+      add("find_response_extrema, float", detector_values(*m_float, threads));
       if (!is_last) continue;
       for (const std::string scalar : {"double", "float"})
         same.add(scalar, std::size_t(naive.at("minima")), std::size_t(naive.at(scalar + "_expected")),

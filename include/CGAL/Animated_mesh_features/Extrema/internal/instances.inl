@@ -18,6 +18,7 @@
 #include <CGAL/Animated_mesh_features/Scale_space/Box_temporal_filter.h>
 #include <CGAL/Animated_mesh_features/Scale_space/Gaussian_temporal_filter.h>
 #include <CGAL/Animated_mesh_features/Scale_space/One_ring_average_filter.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Planar_normalization.h>
 
 #include <CGAL/tags.h>
 
@@ -43,7 +44,7 @@ namespace internal {
 
 typedef Extremum_options<> Calibrated_search;
 typedef Extremum_options<One_ring_average_filter, Box_temporal_filter, Every_smoothing_count,
-                         Forward_difference_of_gaussians>
+                         Forward_difference_of_gaussians, Difference_of_gaussians_minima, Planar_normalization>
     Published_search;
 
 extern CGAL_ANIMATED_MESH_FEATURES_DETECTOR_INSTANCE(Difference_cascade<Gaussian_temporal_filter>);
