@@ -18,8 +18,8 @@ export class Brush {
     this.stroke = null; // that is under way: { id, path, isErasing, strokes, parts }
     this.isStale = true;
     state.subscribe((changed) => {
-      if (["strokes", "painting", "time", "brush", "tool"].some((name) => name in changed)) this.isStale = true;
       if ("painting" in changed || "tool" in changed) this.cancel();
+      if (state.values.painting && ["strokes", "time", "brush"].some((name) => name in changed)) this.isStale = true;
     });
     this.listen(stage.canvas);
   }

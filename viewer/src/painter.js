@@ -13,6 +13,8 @@ import { Painting } from "./painting.js";
 const TOOLS = ["paint", "erase", "turn"];
 const LEAST_BRUSH = 0.005, MOST_BRUSH = 0.25; // of the bounding-box diagonal
 
+const PAINTING_LABEL = "The surface, to be painted on. Drag over it to paint or erase, beside it to turn; keys 1, 2, 3 choose between paint, erase and turn, comma and full stop change the brush, z and y undo and redo.";
+
 const $ = (id) => document.getElementById(id);
 
 /** The slider's place, from 0 to 1, is the logarithm of the brush. */
@@ -22,7 +24,7 @@ const placeOf = (brush) => Math.log(brush / LEAST_BRUSH) / Math.log(MOST_BRUSH /
 export class Painter {
   /** Without a stage there is nothing to paint on. */
   constructor(scene, state, stage) {
-    Object.assign(this, { scene, state, stage, hiddenField: null });
+    Object.assign(this, { scene, state, stage, hiddenField: null, label: $("canvas").getAttribute("aria-label") });
     this.painting = new Painting(scene, state);
     this.brush = stage ? new Brush(scene, state, stage, this.painting) : null;
     $("paint").hidden = !stage;
@@ -120,7 +122,8 @@ export class Painter {
     if ("painting" in changed) {
       $("painting").hidden = !s.painting;
       $("paint").setAttribute("aria-pressed", `${s.painting}`);
-      if (s.painting) $("painting").scrollIntoView({ block: "nearest" });
+      $("painting").parentElement.scrollTop = 0;
+      $("canvas").setAttribute("aria-label", s.painting ? PAINTING_LABEL : this.label);
     }
     if ("painting" in changed || "tool" in changed) {
       $("canvas").dataset.tool = s.painting ? s.tool : "turn";
