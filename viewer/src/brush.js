@@ -8,7 +8,8 @@
 
 import { EdgeGraph } from "./geodesic.js";
 
-const LONGEST_STEP = 4; // pixels between two places of the brush on a quick stroke
+const STEP = 0.25; // of the radius, between two places of the brush on a quick stroke, so that its edge is smooth
+const LEAST_STEP = 3; // pixels
 const MOST_STEPS = 64; // of them for each picture that is drawn
 
 export class Brush {
@@ -85,9 +86,11 @@ export class Brush {
   extend() {
     const { stroke } = this;
     const [from, ...others] = stroke.path;
+    const first = this.stage.surfaceAt(from.x, from.y), pixels = first ? this.stage.pixelsAt(first.distance) * this.radius : 0;
+    const step = Math.max(STEP * pixels, LEAST_STEP);
     let places = [from], last = from;
     for (const to of others) {
-      const steps = Math.ceil(Math.hypot(to.x - last.x, to.y - last.y) / LONGEST_STEP);
+      const steps = Math.ceil(Math.hypot(to.x - last.x, to.y - last.y) / step);
       for (let i = 1; i <= steps; ++i)
         places.push({ x: last.x + ((to.x - last.x) * i) / steps, y: last.y + ((to.y - last.y) * i) / steps });
       last = to;

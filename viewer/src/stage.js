@@ -255,13 +255,18 @@ export class Stage {
     this.invalidate();
   }
 
+  /** How many CSS pixels a unit of length has, so far from the eye. */
+  pixelsAt(distance) {
+    return this.canvas.clientHeight / 2 / Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / distance;
+  }
+
   /** Where on the canvas a feature is: CSS pixels, and the radius of its sphere. */
   project(feature) {
     this.camera.updateMatrixWorld();
     const place = new THREE.Vector3(...this.scene.place(feature, this.state.values.time).map((x, c) => x - this.scene.centre[c]));
     const distance = place.distanceTo(this.camera.position);
     const height = this.canvas.clientHeight, p = place.project(this.camera);
-    const radius = (feature.radius / distance) * (height / 2 / Math.tan((FIELD_OF_VIEW * Math.PI) / 360));
+    const radius = feature.radius * this.pixelsAt(distance);
     return { x: ((p.x + 1) / 2) * this.canvas.clientWidth, y: ((1 - p.y) / 2) * height, radius };
   }
 

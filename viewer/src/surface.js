@@ -211,19 +211,27 @@ export class Surface {
 
   /** Where a ray meets the surface first: { distance, triangle, barycentric }; null if it does not. Linear in the triangles. */
   hit({ origin, direction }, time) {
-    const points = this.pointsAt(time), faces = this.scene.faces, ray = new THREE.Ray(origin, direction);
-    const corners = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Vector3()], place = new THREE.Vector3();
-    const setCorners = (i) => corners.forEach((corner, j) => corner.fromArray(points, 3 * faces[i + j]));
-    let distance = Infinity, nearest = -1;
+    const points = this.pointsAt(time), faces = this.scene.faces;
+    const { x: dx, y: dy, z: dz } = direction;
+    let distance = Infinity, nearest = -1, second = 0, third = 0;
     for (let i = 0; i < faces.length; i += 3) {
-      setCorners(i);
-      if (ray.intersectTriangle(...corners, false, place) === null || place.distanceTo(origin) >= distance) continue;
-      distance = place.distanceTo(origin);
-      nearest = i;
+      const a = 3 * faces[i], b = 3 * faces[i + 1], c = 3 * faces[i + 2];
+      const ax = points[a], ay = points[a + 1], az = points[a + 2];
+      const px = points[b] - ax, py = points[b + 1] - ay, pz = points[b + 2] - az;
+      const qx = points[c] - ax, qy = points[c + 1] - ay, qz = points[c + 2] - az;
+      const ox = origin.x - ax, oy = origin.y - ay, oz = origin.z - az;
+      // Cramer's rule for origin + t direction = a + u p + v q
+      const hx = dy * qz - dz * qy, hy = dz * qx - dx * qz, hz = dx * qy - dy * qx;
+      const scale = px * hx + py * hy + pz * hz;
+      const u = (ox * hx + oy * hy + oz * hz) / scale;
+      if (!(u >= 0 && u <= 1)) continue;
+      const kx = oy * pz - oz * py, ky = oz * px - ox * pz, kz = ox * py - oy * px;
+      const v = (dx * kx + dy * ky + dz * kz) / scale;
+      if (!(v >= 0 && u + v <= 1)) continue;
+      const t = (qx * kx + qy * ky + qz * kz) / scale;
+      if (t > 0 && t < distance) [distance, nearest, second, third] = [t, i, u, v];
     }
     if (nearest < 0) return null;
-    setCorners(nearest);
-    const shares = THREE.Triangle.getBarycoord(ray.at(distance, place), ...corners, new THREE.Vector3());
-    return { distance, triangle: [...faces.subarray(nearest, nearest + 3)], barycentric: shares?.toArray() ?? [1, 0, 0] };
+    return { distance, triangle: [...faces.subarray(nearest, nearest + 3)], barycentric: [1 - second - third, second, third] };
   }
 }
