@@ -7,7 +7,7 @@
 // Painting in the viewer: what a brush marks is what lies under it, computed here from the files alone.
 
 import { execFileSync } from "node:child_process";
-import { readFileSync, writeFileSync } from "node:fs";
+import { existsSync, readFileSync, writeFileSync } from "node:fs";
 
 const distance = (a, b) => Math.hypot(...a.map((x, i) => x - b[i]));
 const minus = (a, b) => a.map((x, i) => x - b[i]);
@@ -292,7 +292,7 @@ async function testFiles({ page, open, check, near, set, base, result, three }) 
   await other.context().close();
 
   const evaluator = process.env.EVALUATE_FEATURES;
-  if (!evaluator) return console.log("painting: evaluate_features is not here");
+  if (!evaluator || !existsSync(evaluator)) return console.log("painting: evaluate_features is not here");
   execFileSync(evaluator, ["regions", `${base}.json`, `${base}.obj`, `${base}.pc2`, "--fps", "15", "--truth", "painting.json", "-o", "regions.json"], { stdio: "pipe" });
   check(JSON.parse(readFileSync("regions.json", "utf8")).painters === 1, "evaluate_features reads it");
 }
