@@ -326,7 +326,7 @@ void test_joined()
     if (more > 1e-3) CHECK(features[0].rest_position[0] > 0.9);
     Amf::Calibrated_options apart;
     apart.search.join_equal = false;
-    CHECK(found(mesh, field, frame_duration, apart).size() != 1);
+    if (more < 1e-3) CHECK(found(mesh, field, frame_duration, apart).size() != 1);
   }
 }
 

@@ -35,7 +35,7 @@ struct Front_inverse
   const double* below = nullptr;  // Z_II, height x height, rows filled up to tiles with zeros
   Aligned_vector<double> inverse; // X^T
   Aligned_vector<double> y;       // Y^T
-  Aligned_vector<double> front;   // Z_JJ, filled up to tiles of columns, and Z_JI; Z_JJ near the diagonal only of leaves
+  Aligned_vector<double> front; // Z_JJ, filled up to tiles of columns, and Z_JI; Z_JJ near the diagonal only of leaves
 
   // What a tile of rows of `front` has: columns of Z_JJ, and of both.
   std::size_t own_columns() const { return Panel::number_of_tiles(panel->width) * tile; }
@@ -135,8 +135,7 @@ private:
       CGAL_ANIMATED_MESH_FEATURES_UNROLL
       for (std::size_t t = 0; t < tiles; ++t) {
         CGAL_ANIMATED_MESH_FEATURES_UNROLL
-        for (std::size_t c = 0; c < tile; ++c)
-          (Column::all(0) - sums[t][c]).store(to_z[t] + tile * (tile * i + c));
+        for (std::size_t c = 0; c < tile; ++c) (Column::all(0) - sums[t][c]).store(to_z[t] + tile * (tile * i + c));
       }
     }
   }

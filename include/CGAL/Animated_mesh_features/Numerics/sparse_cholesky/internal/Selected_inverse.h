@@ -58,8 +58,7 @@ public:
       m_top -= p.update_size();
       m_front.set(p, in_double(factor + p.values, p.size()), m_stack.data() + m_top);
       run_reproducibly<double>(m_instructions, m_front);
-      for (Index c = 0; c < p.width; ++c)
-        result[m_symbolic.original()[p.first + c]] = m_front.row(c)[Panel::tile * c];
+      for (Index c = 0; c < p.width; ++c) result[m_symbolic.original()[p.first + c]] = m_front.row(c)[Panel::tile * c];
       pass_on(i);
     }
     return result;
@@ -141,7 +140,7 @@ private:
   std::vector<std::size_t> m_first_child; // of each panel, among them
   std::vector<Index> m_local;             // column in the front of each row of the factor that the panel has
   std::vector<Index> m_columns;           // the same for the rows of a child
-  Aligned_vector<double> m_values; // of a panel, if the factor is not in double
+  Aligned_vector<double> m_values;        // of a panel, if the factor is not in double
   Front_inverse m_front;
   Aligned_vector<double> m_stack;
   std::size_t m_top = 0; // of the stack

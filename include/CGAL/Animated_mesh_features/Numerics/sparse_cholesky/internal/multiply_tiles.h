@@ -24,9 +24,9 @@ using Tile_column = Pack<double, Cholesky_panel::tile, register_bytes>;
 // sums[t][c] = sum over k < count of a_t[k] b[k][c], in the order of k, so that the bits do not depend on the width of
 // the registers nor on how many tiles are computed together. Two are enough to hide the latency of a sum.
 template <std::size_t register_bytes, std::size_t tiles>
-CGAL_ANIMATED_MESH_FEATURES_INLINE void
-multiply_tiles(const double* const (&a)[tiles], const double* b, std::size_t count,
-               Tile_column<register_bytes> (&sums)[tiles][Cholesky_panel::tile])
+CGAL_ANIMATED_MESH_FEATURES_INLINE void multiply_tiles(const double* const (&a)[tiles], const double* b,
+                                                       std::size_t count,
+                                                       Tile_column<register_bytes> (&sums)[tiles][Cholesky_panel::tile])
 {
   typedef Tile_column<register_bytes> Column;
   constexpr std::size_t tile = Cholesky_panel::tile;
