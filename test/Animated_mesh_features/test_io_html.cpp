@@ -241,7 +241,8 @@ Decoded decoded(const std::string& html)
   std::size_t index = 0;
   for (const auto& field : d.description.get_child("fields")) {
     const double min = number(field.second, "min"), max = number(field.second, "max");
-    const auto levels = unpredicted(numbers(html, "scene-field-" + std::to_string(index++), n * kept, 1), 1, 0xff, kept);
+    const auto levels =
+        unpredicted(numbers(html, "scene-field-" + std::to_string(index++), n * kept, 1), 1, 0xff, kept);
     std::vector<std::vector<double>> values;
     for (const auto& frame : levels) {
       std::vector<double> row;

@@ -210,6 +210,24 @@ export async function testPainting({ open, check, near, set, state, take, differ
   check(!(await page.locator("#painting").isVisible()) && (await state(page)).features && (await state(page)).field === field, "done: features and field are back");
   check((await shownPaint(page)).length === 0, "done: no paint is shown");
   await page.context().close();
+  await testTouch({ open, check, base });
+}
+
+/** With a finger, on a small screen. */
+async function testTouch({ open, check, base }) {
+  const page = await open(`${base}.html`, { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true });
+  await page.locator("#paint").tap();
+  const [place] = await placesOnSurface(page), { x, y } = await page.locator("#canvas").boundingBox();
+  await page.touchscreen.tap(x + place.x, y + place.y);
+  await page.waitForFunction(() => viewer.state.values.strokes.length > 0, null, { timeout: 5000 }).catch(() => {});
+  check((await strokesOf(page)).length === 1, "a finger paints");
+  const outside = await page.evaluate(() =>
+    [...document.querySelectorAll("#painting *, .tools *")]
+      .filter((e) => e.offsetParent !== null && (e.getBoundingClientRect().right > innerWidth + 0.5 || e.getBoundingClientRect().left < -0.5))
+      .map((e) => e.outerHTML.slice(0, 80)),
+  );
+  check(outside.length === 0 && (await page.locator("#save-painting").isVisible()), `narrow: outside of the window: ${outside}`);
+  await page.context().close();
 }
 
 /** The frames that pass while the pointer is down; past the end, it begins again. */
