@@ -26,7 +26,7 @@ detect "$data/large.obj" "$data/large.pc2" \
 make figure -o "$data/figure"
 figure=("$data/figure.obj" "$data/figure.pc2" --rest average)
 detect "${figure[@]}" -o "$data/figure.json"
-detect "${figure[@]}" --absolute-threshold 1e9 --png "$figures/deformation.png" \
+detect "${figure[@]}" --threshold 1e9 --png "$figures/deformation.png" \
   --frame 6 --frame 9 --frame 12 --frame 15 --frame 18 --png-size 1280x380 --view 60,10
 detect "${figure[@]}" --plot "$figures/plot.svg"
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
 #include <CGAL/Animated_mesh_features/Deformation/Deformation_measurement.h>
+#include <CGAL/Animated_mesh_features/Deformation/subtract_baseline.h>
 #include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
 #include <CGAL/Real_timer.h>
 #include <CGAL/Simple_cartesian.h>
@@ -18,6 +19,7 @@
 
 #include <iostream>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace AMF = CGAL::Animated_mesh_features;
@@ -34,11 +36,14 @@ int main()
 
   //! [stages]
   AMF::Deformation_measurement<Frame_sequence> measurement(animation);
-  Detector detector(animation.rest_shape(), measurement.take_deformation(), animation.frame_duration(),
-                    AMF::Extremum_options<>(), measurement.noise());
+  auto field = measurement.take_deformation();
+  AMF::subtract_baseline(field, AMF::Least_value_baseline());
+  Detector detector(animation.rest_shape(), std::move(field), animation.frame_duration(), AMF::Extremum_options<>(),
+                    measurement.noise());
+  detector.selection() = AMF::Feature_selection();
 
-  for (double threshold : {0.2, 0.5, 0.8, 0.01}) {
-    detector.selection().relative_threshold = threshold;
+  for (double threshold : {0.125, 0.3, 0.5, 0.01}) {
+    detector.selection().absolute_threshold = threshold;
     std::vector<Detector::Feature> features;
     CGAL::Real_timer timer;
     timer.start();

@@ -11,6 +11,7 @@
 
 #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
 #include <CGAL/Animated_mesh_features/Deformation/Deformation_measurement.h>
+#include <CGAL/Animated_mesh_features/Deformation/subtract_baseline.h>
 #include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Stage.h>
@@ -19,6 +20,7 @@
 
 #include <iostream>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 namespace AMF = CGAL::Animated_mesh_features;
@@ -57,7 +59,9 @@ int main()
   for (int patience : {300, 10000}) {
     Progress progress = {patience};
     try {
-      Detector detector(animation.rest_shape(), measurement.deformation(progress), animation.frame_duration(),
+      auto field = measurement.deformation(progress);
+      AMF::subtract_baseline(field, AMF::Least_value_baseline());
+      Detector detector(animation.rest_shape(), std::move(field), animation.frame_duration(),
                         AMF::Extremum_options<>(), measurement.noise());
       detector(std::back_inserter(features), progress);
     } catch (const AMF::Cancelled& e) {

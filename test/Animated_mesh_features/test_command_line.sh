@@ -85,8 +85,8 @@ def again(name):
     options = ["--" + k.replace("_", "-") + "=" + str(q[k])
                for k in ("fps", "rest", "preset", "strain", "alpha", "curvature", "balls", "ball_radius",
                          "spatial_filter", "temporal_filter", "box_width", "space_counts", "time_counts", "sigma_range",
-                         "tau_range", "threshold",
-                         "absolute_threshold") if q[k] is not None]
+                         "tau_range", "threshold", "relative_threshold",
+                         "min_fit", "baseline", "dimension") if q[k] is not None]
     options += ["--triangulate"] * q["triangulate"] + ["--as-given"] * q["as_given"] + ["--rescale-rest"] * q["rescale_rest"]
     options += ["--no-suppression"] * (not q["suppression"])
     return options + q["inputs"]
@@ -267,7 +267,11 @@ usage "no number" c.obj c.pc2 --alpha nan
 usage "empty" c.obj c.pc2 --strain ""
 usage "choose among hencky, green-lagrange, stretch, largest-eigenvalue" c.obj c.pc2 --strain wrong
 usage "calibrated, published" c.obj c.pc2 --preset wrong
-usage "above 1" c.obj c.pc2 --threshold 1.5
+usage "above 1" c.obj c.pc2 --relative-threshold 1.5
+usage "above 1" c.obj c.pc2 --min-fit 1.5
+usage "no number" c.obj c.pc2 --threshold 20%
+usage "choose among surface, plane" c.obj c.pc2 --dimension 2
+usage "choose among least, none" c.obj c.pc2 --baseline mean
 usage "not positive" c.obj c.pc2 --fps 0
 usage "no animation has that many frames in a second" c.obj c.pc2 --fps 1e-300
 usage "no animation has that many frames in a second" c.obj c.pc2 --fps 1e300
@@ -400,6 +404,8 @@ check 'where(x) == where(begun) and near(p(x)["rest_factor"], 1 / 25.4, 1e-4)'
 differs --preset published
 check '[p(x)[k] for k in ("strain", "curvature", "spatial_filter", "temporal_filter", "suppression")] ==
        ["largest-eigenvalue", "dihedral", "one-ring", "box", False]'
+check '[p(x)[k] for k in ("baseline", "dimension", "threshold", "relative_threshold", "min_fit")] ==
+       ["none", "plane", 0, 0.2, 0] and all(f["strength"] == -f["response"] for f in x["features"])'
 check 'p(x)["box_width"] == 3 and p(x)["triangle_weights"] == "uniform"'
 cp x.json published.json
 find_features --preset published --box-width 2
@@ -437,7 +443,7 @@ for balls in heat-patches heat-global; do
          near(x['features'][0]['strength'], base['features'][0]['strength'], 0.01)"
 done
 differs --ball-radius 12%
-check 'near(p(x)["ball_radius"], 0.12 * x["animation"]["bounding_box_diagonal"])'
+check 'near(p(x)["ball_radius"], 0.12 * p(x)["diameter"])'
 cp x.json percent.json
 find_features --ball-radius "$(python3 -c 'import json; print(json.load(open("x.json"))["parameters"]["ball_radius"])')"
 check 'x["features"] == percent["features"]'
@@ -448,10 +454,10 @@ grep -q "strain" err || fail "--verbose does not tell the stages"
 if grep -q "balls" err; then fail "balls with --alpha 0"; fi
 check 'p(x)["ball_radius"] is None and p(x)["alpha"] == 0'
 differs --sigma-range 5%:20%
-check 'near(p(x)["sigma_levels"][2], 0.05 * x["animation"]["bounding_box_diagonal"])'
+check 'near(p(x)["sigma_levels"][2], 0.05 * p(x)["diameter"])'
 differs --sigma-range 8%:
 differs --sigma-range :6%
-check 'all(f["sigma"] < 0.08 * x["animation"]["bounding_box_diagonal"] for f in x["features"])'
+check 'all(f["sigma"] <= 0.06 * p(x)["diameter"] for f in x["features"])'
 differs --sigma-range 0.3:0.6
 check 'near(p(x)["sigma_levels"][2], 0.3)'
 differs --tau-range 0.2:0.4
@@ -459,11 +465,28 @@ check 'near(p(x)["tau_levels"][2], 0.2) and near(p(x)["tau_levels"][-3], 0.4)'
 differs --tau-range :0.2
 find_features --threshold 0
 check 'len(x["features"]) > len(base["features"])'
-find_features --threshold 1
-check 'len(x["features"]) == 1 and x["features"][0] == base["features"][0]'
-find_features --absolute-threshold 1e6
+check 'p(x)["threshold"] == 0 == p(x)["relative_threshold"] and p(base)["threshold"] == 0.125'
+find_features --relative-threshold 1
+check 'len(x["features"]) == 1 and x["features"][0] == base["features"][0] and p(x)["threshold"] == 0'
+find_features --threshold 1e6
 check 'x["features"] == []'
-grep -q "below the absolute threshold, 1e+06" err || fail "no reason for finding nothing: $(cat err)"
+grep -q "below the threshold, 1e+06" err || fail "no reason for finding nothing: $(cat err)"
+find_features --top 2
+check 'x["features"] == base["features"][:2] and p(x)["top"] == 2'
+find_features --threshold 0 --min-fit 0
+cp x.json all.json
+check 'min(f["fit"] for f in base["features"]) >= 0.4 == p(base)["min_fit"] > min(f["fit"] for f in x["features"])'
+check 'all(near(f["strength"], f["amplitude"] * max(0, f["fit"]), 1e-12) for f in x["features"])'
+check 'all(f["parent"] is None or f["parent"] < i for i, f in enumerate(x["features"]))'
+check 'sorted({f["place"] for f in x["features"]}) == list(range(1 + max(f["place"] for f in x["features"])))'
+check 'x["features"][0]["place"] == 0'
+find_features --threshold 0 --min-fit 1
+check 'x["features"] == []'
+grep -q -- "--min-fit 1" err || fail "no reason for finding nothing: $(cat err)"
+differs --baseline none
+check 'p(x)["baseline"] == "none" and p(base)["baseline"] == "least"'
+differs --dimension plane
+check 'p(x)["dimension"] == "plane" and p(base)["dimension"] == "surface"'
 find_features --threshold 0 --no-suppression
 check 'len(x["features"]) > len(base["features"]) and p(x)["suppression"] is False'
 
@@ -742,7 +765,7 @@ for f in 0 1 2 3; do
   printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 %s\nf 1 2 3\nf 2 4 3\n' $f >coarse$f.obj
 done
 expect 0 ": nothing deforms: " still0.obj still1.obj still2.obj still3.obj -o x.json
-expect 0 "is below the absolute threshold, 9" c.obj c.pc2 --absolute-threshold 9 -o x.json
+expect 0 "is below the threshold, 9 (--threshold)" c.obj c.pc2 --threshold 9 -o x.json
 tells ": the strongest response, [0-9.]*, is below"
 expect 0 "; --tau-range 1.2:1.3 excludes others" c.obj c.pc2 --fps 10 --tau-range 1.2:1.3 -o x.json
 tells ": the response has no minimum at sigma from .* to .*, tau from 1.2 to "

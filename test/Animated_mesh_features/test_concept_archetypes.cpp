@@ -266,6 +266,31 @@ struct Archetype_search : Copy_only
   bool at_neighbour(double centre, double, double same, double) const { return centre < same; }
 };
 
+struct Archetype_normalization : Copy_only
+{
+  using Copy_only::Copy_only;
+  template <class Loop>
+  std::vector<float> operator()(const AMF::Rest_shape& shape, const std::vector<double>& variances, const Loop& loop) const
+  {
+    std::vector<float> factors(shape.number_of_vertices() * variances.size());
+    loop(shape.number_of_vertices(), [&](std::size_t v) {
+      for (std::size_t k = 0; k < variances.size(); ++k) factors[v * variances.size() + k] = 2 / (1 + float(k));
+    });
+    return factors;
+  }
+};
+
+struct Archetype_baseline : Copy_only
+{
+  using Copy_only::Copy_only;
+  template <class FT>
+  FT operator()(const FT* row, std::size_t number_of_frames) const
+  {
+    CHECK(number_of_frames > 0);
+    return row[number_of_frames / 2] / 2;
+  }
+};
+
 class Archetype_visitor
 {
 public:
@@ -310,7 +335,8 @@ struct Temporal_filter_with_unit_variance : Archetype_temporal_filter
 template <class Strain>
 using Archetype_options =
     AMF::Detection_options<Strain, Archetype_curvature, Archetype_balls, Archetype_spatial_filter,
-                           Archetype_temporal_filter, Archetype_sampling, Archetype_response, Archetype_search>;
+                           Archetype_temporal_filter, Archetype_sampling, Archetype_response, Archetype_search,
+                           Archetype_normalization, Archetype_baseline>;
 
 template <class Options>
 void test_detection(const Archetype_animation& animation, const Options& options, const std::string& name)
@@ -338,7 +364,9 @@ int main()
   typedef Archetype_options<Archetype_strain> Options;
   const Options options(Options::Measurement{Archetype_strain(0), Archetype_curvature(0), Archetype_balls(0)},
                         Options::Search{Archetype_spatial_filter(0), Archetype_temporal_filter(0),
-                                        Archetype_sampling(0), Archetype_response(0), Archetype_search(0)});
+                                        Archetype_sampling(0), Archetype_response(0), Archetype_search(0),
+                                        Archetype_normalization(0)},
+                        AMF::Feature_selection::of_any_field(), Archetype_baseline(0));
   test_detection(animation, options, "archetypes");
   test_detection(animation, options.with_strain(Archetype_vectorized_strain(0)), "vectorized strain");
   test_detection(animation,

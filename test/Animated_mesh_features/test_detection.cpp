@@ -320,8 +320,11 @@ void test_places(const Sequence& sequence)
 {
   Detection detection(sequence);
   const Features features = detect_with(detection);
-  AMF::Feature_detector<double> detector(sequence.rest_shape(), detection.measurement().deformation(),
-                                         sequence.frame_duration(), {}, detection.measurement().noise());
+  auto field = detection.measurement().deformation();
+  AMF::subtract_baseline(field, AMF::Least_value_baseline());
+  AMF::Feature_detector<double> detector(sequence.rest_shape(), field, sequence.frame_duration(), {},
+                                         detection.measurement().noise());
+  detector.selection() = detection.selection();
   const auto on_rest_shape = detect_with(detector);
   CHECK(on_rest_shape.size() == features.size());
   for (std::size_t i = 0; i < features.size() && i < on_rest_shape.size(); ++i) {

@@ -21,6 +21,7 @@
 #include <optional>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace test_support {
@@ -53,9 +54,12 @@ public:
   template <class OutputIterator, class Visitor>
   OutputIterator operator()(OutputIterator out, Visitor& visitor)
   {
-    if (!m_detector)
-      m_detector.emplace(sequence().rest_shape(), m_measurement.deformation(visitor), sequence().frame_duration(),
-                         m_measurement.options(), m_measurement.noise());
+    if (!m_detector) {
+      typename Measurement::Field field = m_measurement.deformation(visitor);
+      CGAL::Animated_mesh_features::subtract_baseline(field, m_measurement.options().baseline);
+      m_detector.emplace(sequence().rest_shape(), std::move(field), sequence().frame_duration(), m_measurement.options(),
+                         m_measurement.noise());
+    }
     m_detector->selection() = m_selection;
     std::vector<typename Detector::Feature> features;
     (*m_detector)(std::back_inserter(features), visitor);

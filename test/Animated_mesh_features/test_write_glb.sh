@@ -17,7 +17,7 @@ enter_empty_folder
   "$program" c.obj c.pc2 --fps 10 --quiet -o features.json --glb scene.glb --write-field deformation:deformation.npy &&
   python3 "$tests/scene_files/check_glb.py" scene.glb c features.json deformation.npy || exit 1
 # without features: the surface alone
-"$program" c.obj c.pc2 --absolute-threshold 1e6 --quiet --glb nothing.glb || exit 1
+"$program" c.obj c.pc2 --threshold 1e6 --quiet --glb nothing.glb || exit 1
 
 command -v npm >/dev/null || skip "what is in the file was compared, but it was not validated, which needs npm"
 mkdir npm && cp "$tests"/scene_files/package*.json npm/ || exit 1

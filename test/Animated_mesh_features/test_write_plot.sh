@@ -42,9 +42,9 @@ for format in svg pdf png; do cmp "first.$format" "plot.$format" || fail "anothe
 "$program" "${input[@]}" --threshold 0 --plot again.SVG && cmp again.SVG plot.svg || fail "an ending in capitals"
 
 # one, none
-for thresholds in "1" "0 --absolute-threshold 1e6"; do
+for thresholds in "--relative-threshold 1" "--threshold 1e6"; do
   # shellcheck disable=SC2086
-  plots --threshold $thresholds
+  plots $thresholds
   python3 "$tests/scene_files/check_plot.py" plot.svg plot.pdf features.json "$title" || exit 1
 done
 

@@ -123,6 +123,7 @@ AMF::IO::Result_description result_description(const Programs::Reading_options& 
                                                const Programs::Animation& animation, const Detection& detection)
 {
   AMF::IO::Result_description d = Programs::animation_description(animation);
+  d.add("diameter", animation.sequence().rest_shape().diameter()); // of which lengths in % are
   d.add("program", std::string("detect_features ") + ANIMATED_MESH_FEATURES_VERSION);
   add_reading_parameters(d, reading, animation);
   add_method_parameters(d, method, detection);

@@ -153,8 +153,8 @@ std::string input_help()
                 .dae, .x) as well as assimp can read them (best effort: compare with what you expect)
   SEQUENCE      an HDF5 file (.h5, .hdf5) as D-FAUST's: vertices x 3 x frames, and triangles x 3
 All frames have the same connectivity, a manifold of triangles, possibly with border. Results count vertices and frames
-from 0; lengths are in the unit of the input, times in seconds. The diameter is the largest distance of
-two points of the rest shape.
+from 0; lengths are in the unit of the input, times in seconds. The diameter is that of the
+smallest sphere around what deforms of the rest shape.
 )";
 }
 

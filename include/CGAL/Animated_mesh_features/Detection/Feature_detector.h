@@ -115,16 +115,14 @@ public:
   {
     m_selection.check();
     if (!m_minima) find_minima(visitor);
-    std::vector<Feature> selected;
-    {
+    // those that have no fit yet are measured in a stage of their own
+    const auto measure = [&](std::size_t tasks, const auto& task) {
       const internal::Stage_scope stage(visitor, Stage::EXTREMA);
-      const Task_loop<ConcurrencyTag, Any_visitor> loop(visitor, Stage::EXTREMA);
-      // as a task, so that it can be cancelled in the middle
-      loop(1, [&](std::size_t) {
-        selected = internal::selected_features(
-            *m_shape, m_minima->above(m_selection, *m_shape, m_field, m_frame_duration, loop), m_selection);
-      });
-    }
+      // a range of no length: the search before has told all of the progress
+      Task_loop<ConcurrencyTag, Any_visitor>(visitor, Stage::EXTREMA, 1, 1)(tasks, task);
+    };
+    const std::vector<Feature> selected = internal::selected_features(
+        *m_shape, m_minima->above(m_selection, *m_shape, m_field, m_frame_duration, measure), m_selection);
     return std::copy(selected.begin(), selected.end(), out);
   }
 

@@ -60,7 +60,7 @@ public:
     while (end < m_minima.size() && m_minima[end].amplitude >= least()) {
       const std::size_t first = end;
       end = (std::min)(m_minima.size(), end + at_once);
-      measure(end, shape, field, frame_duration, loop.part(first, m_minima.size()));
+      measure(end, shape, field, frame_duration, loop);
       for (std::size_t i = first; i < end; ++i) strongest = (std::max)(strongest, m_minima[i].strength);
     }
     std::vector<Feature> result(m_minima.begin(), m_minima.begin() + std::ptrdiff_t(end));
