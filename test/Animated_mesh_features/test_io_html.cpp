@@ -169,6 +169,7 @@ struct Decoded
   ptree description;
   std::vector<std::array<std::size_t, 3>> faces;
   std::vector<std::vector<Point>> frames;
+  std::vector<Point> rest; // wherever it is
   std::vector<std::vector<std::vector<double>>> fields;
 
   double operator[](const std::string& name) const { return number(description, name); }
@@ -206,11 +207,12 @@ Decoded decoded(const std::string& html)
     if (!has_parent[v]) parent[v] = v - 1;
 
   // [frame][component][vertex]
-  const auto unpredicted = [&](const std::vector<unsigned>& r, std::size_t components, unsigned mask) {
+  const auto unpredicted = [&](const std::vector<unsigned>& r, std::size_t components, unsigned mask,
+                               std::size_t frames) {
     std::vector<std::vector<std::vector<unsigned>>> q(
-        kept, std::vector<std::vector<unsigned>>(components, std::vector<unsigned>(n)));
+        frames, std::vector<std::vector<unsigned>>(components, std::vector<unsigned>(n)));
     std::size_t i = 0;
-    for (std::size_t k = 0; k < kept; ++k)
+    for (std::size_t k = 0; k < frames; ++k)
       for (std::size_t c = 0; c < components; ++c)
         for (std::size_t v = 0; v < n; ++v) {
           const auto before = [&](std::size_t w) { return k > 0 ? q[k - 1][c][w] : 0; };
@@ -220,7 +222,7 @@ Decoded decoded(const std::string& html)
         }
     return q;
   };
-  const auto q = unpredicted(numbers(html, "scene-positions", 3 * n * kept, 2), 3, 0xffff);
+  const auto q = unpredicted(numbers(html, "scene-positions", 3 * n * kept, 2), 3, 0xffff, kept);
   const std::vector<double> origin = array(d.description.get_child("origin"));
   std::vector<std::vector<double>> corner;
   for (const auto& c : d.description.get_child("corners")) corner.push_back(array(c.second));
@@ -233,10 +235,14 @@ Decoded decoded(const std::string& html)
                           origin[2] + step * (corner[k][2] + q[k][2][v]));
     d.frames.push_back(points);
   }
+  const auto rest = unpredicted(numbers(html, "scene-rest", 3 * n, 2), 3, 0xffff, 1).front();
+  for (std::size_t v = 0; v < n; ++v)
+    d.rest.emplace_back(d["rest_step"] * rest[0][v], d["rest_step"] * rest[1][v], d["rest_step"] * rest[2][v]);
   std::size_t index = 0;
   for (const auto& field : d.description.get_child("fields")) {
     const double min = number(field.second, "min"), max = number(field.second, "max");
-    const auto levels = unpredicted(numbers(html, "scene-field-" + std::to_string(index++), n * kept, 1), 1, 0xff);
+    const auto levels =
+        unpredicted(numbers(html, "scene-field-" + std::to_string(index++), n * kept, 1), 1, 0xff, kept);
     std::vector<std::vector<double>> values;
     for (const auto& frame : levels) {
       std::vector<double> row;
@@ -317,6 +323,13 @@ void test_what_is_written(double travel)
   for (const auto& t : sequence.rest_shape().triangles()) {
     for (std::size_t c = 0; c < 3; ++c) CHECK(d.faces[i][c] == t[c]);
     ++i;
+  }
+
+  // lengths at rest, which no frame has
+  const auto rest = sequence.rest_shape().points();
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    const auto w = shown(sequence, v), first = shown(sequence, 0);
+    CHECK_NEAR(std::sqrt(CGAL::squared_distance(d.rest[v], d.rest[0])), (rest[w] - rest[first]).norm(), 1e-3);
   }
 
   double largest = 0;

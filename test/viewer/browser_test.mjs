@@ -12,6 +12,7 @@ import { existsSync, readFileSync, statSync } from "node:fs";
 import { resolve } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
+import { testPainting } from "./painting_test.mjs";
 
 const [browserPath, base, large] = process.argv.slice(2);
 const result = JSON.parse(readFileSync(`${base}.json`, "utf8"));
@@ -556,6 +557,7 @@ try {
   await testNames(page);
   await testDark(page);
   await testOwnDecompression(page);
+  await testPainting({ open, check, near, set, state, take, differentPixels, base, result });
   await page.screenshot({ path: "light.png" });
   if (existsSync(`${base}.glb`)) await testGlb(page);
   await testNarrow();

@@ -8,7 +8,7 @@
 
 /** Keys, what they do, and how. `viewer` is what main.js gives. */
 export function shortcuts(viewer) {
-  const { state, player, stage } = viewer;
+  const { state, player, stage, painter } = viewer;
   return [
     { keys: [" "], shown: "Space", text: "play or pause", run: () => player.toggle() },
     { keys: ["ArrowLeft"], shown: "←", text: "one frame back", run: () => player.step(-1) },
@@ -31,6 +31,10 @@ export function shortcuts(viewer) {
     { keys: ["v"], shown: "v", text: "follow the body", run: () => state.toggle("follow") },
     { keys: ["u"], shown: "u", text: "other axis up", run: () => state.set({ up: state.values.up === "y" ? "z" : "y" }) },
     { keys: ["t"], shown: "t", text: "light or dark", run: () => viewer.toggleTheme() },
+    { keys: ["b"], shown: "b", text: "paint, or be done with it", run: () => painter.toggle() },
+    { keys: ["1", "2", "3"], shown: "1 2 3", text: "painting: paint, erase, turn", run: (key) => painter.choose(Number(key) - 1) },
+    { keys: [",", "."], shown: ", .", text: "painting: smaller, larger brush", run: (key) => painter.resize(key === "," ? -1 : 1) },
+    { keys: ["z", "y"], shown: "z y", text: "painting: undo, redo", run: (key) => painter.back(key === "z" ? -1 : 1) },
     { keys: ["i"], shown: "i", text: "save the picture", run: () => viewer.savePicture() },
     { keys: ["?", "h"], shown: "? h", text: "this help", run: () => viewer.toggleHelp() },
     { keys: ["Escape"], shown: "Esc", text: "select nothing", run: () => state.set({ selected: -1 }) },
@@ -40,7 +44,8 @@ export function shortcuts(viewer) {
 /** Keys that a control in the focus needs for itself. */
 function isTaken(target, key) {
   if (target.closest("dialog[open]")) return true;
-  if (target.matches("select, textarea, input:not([type=range], [type=checkbox])")) return true;
+  if (target.matches("select, textarea, input:not([type=range], [type=checkbox], [type=radio])")) return true;
+  if (target.matches("input[type=radio]")) return key.startsWith("Arrow");
   if (target.matches("input[type=range]")) return key.startsWith("Arrow") || key === "Home" || key === "End";
   if (target.matches("button, input[type=checkbox], a, summary")) return key === " " || key === "Enter";
   return false;
@@ -56,8 +61,13 @@ export function listen(viewer, list) {
     list.append(item);
   }
   document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.altKey || event.metaKey || isTaken(event.target, event.key)) return;
     const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+    const isCommand = (event.ctrlKey || event.metaKey) && ["z", "y"].includes(key); // as everywhere
+    if (((event.ctrlKey || event.metaKey) && !isCommand) || event.altKey || isTaken(event.target, event.key)) return;
+    if (isCommand) {
+      if (viewer.painter.back(key === "y" || event.shiftKey ? 1 : -1)) event.preventDefault();
+      return;
+    }
     const shortcut = all.find(({ keys }) => keys.includes(key));
     if (shortcut === undefined) return;
     event.preventDefault();

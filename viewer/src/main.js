@@ -9,6 +9,7 @@
 import { MAPS, durationColor, durationScale, gradient, mapColor, useColors } from "./colors.js";
 import { count, seconds, short } from "./format.js";
 import { listen } from "./keyboard.js";
+import { Painter } from "./painter.js";
 import { Player } from "./player.js";
 import { Scene } from "./scene.js";
 import { Stage } from "./stage.js";
@@ -31,6 +32,7 @@ class Viewer {
     this.state = new State({
       time: 0, playing: !isStill, speed: 1, loop: true, threshold: this.weakest, selected: -1,
       field: scene.fields.length > 0 ? 0 : -1, map: MAPS[0], theme: "", hidden: true, wires: false, follow: false, up: "y",
+      features: true, painting: false, tool: "paint", brush: 0.04, span: 0.5, strokes: [],
     });
     this.scale = durationScale(scene.features);
     this.setTheme(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
@@ -40,6 +42,7 @@ class Viewer {
     this.timeline = new Timeline($("timeline"), scene, this.state, this.scale, (i) => this.go(i));
     new Table($("rows"), $("note"), scene, this.state, this.scale, (i) => this.go(i));
     new Details($("details"), scene, this.state);
+    this.painter = new Painter(scene, this.state, this.stage);
     this.describe();
     this.connect();
     listen(this, $("shortcuts"));
@@ -62,9 +65,6 @@ class Viewer {
     const { scene } = this;
     document.title = scene.title ? `${scene.title} – features` : "Features of an animated mesh";
     $("title").textContent = scene.title || "Animated mesh";
-    $("facts").textContent = [
-      count(scene.vertices, "vertex", "vertices"), count(scene.frames, "frame"), seconds(scene.duration), count(scene.features.length, "feature"),
-    ].join(" · ");
     const kept = scene.kept_frames.length;
     const thinned = kept < scene.frames ? ` Of ${scene.frames} frames, every ${scene.kept_frames[1]}th is here (${kept}); between them, it is linear.` : "";
     $("precision").textContent = `Positions are rounded by at most ${short(scene.largest_error, 2)} of the bounding-box diagonal.${thinned}`;
@@ -89,7 +89,7 @@ class Viewer {
     $("threshold").addEventListener("input", () => state.set({ threshold: this.thresholdOf($("threshold")) }));
     $("field").addEventListener("change", () => state.set({ field: Number($("field").value) }));
     $("map").addEventListener("change", () => state.set({ map: $("map").value }));
-    for (const name of ["hidden", "wires", "follow", "loop"])
+    for (const name of ["hidden", "wires", "follow", "loop", "features"])
       $(name).addEventListener("change", () => state.set({ [name]: $(name).checked }));
     $("theme").addEventListener("click", () => this.toggleTheme());
     $("help").addEventListener("click", () => this.toggleHelp());
@@ -113,6 +113,12 @@ class Viewer {
 
   show(changed) {
     const { scene } = this, s = this.state.values;
+    if ("features" in changed) {
+      const facts = [count(scene.vertices, "vertex", "vertices"), count(scene.frames, "frame"), seconds(scene.duration)];
+      if (s.features) facts.push(count(scene.features.length, "feature"));
+      $("facts").textContent = facts.join(" · ");
+      for (const id of ["features-card", "features-table"]) $(id).hidden = !s.features;
+    }
     if ("threshold" in changed) {
       const n = scene.features.filter((f) => f.strength >= s.threshold).length;
       $("threshold").value = `${s.threshold}`;
@@ -122,7 +128,7 @@ class Viewer {
       if (s.selected >= 0 && scene.features[s.selected].strength < s.threshold) this.state.set({ selected: -1 });
     }
     if ("field" in changed || "map" in changed) this.showLegend();
-    for (const name of ["hidden", "wires", "follow", "loop"]) if (name in changed) $(name).checked = s[name];
+    for (const name of ["hidden", "wires", "follow", "loop", "features"]) if (name in changed) $(name).checked = s[name];
     if ("selected" in changed) {
       const f = scene.features[s.selected];
       $("announcement").textContent = f ? `Feature ${s.selected + 1} selected: strength ${short(f.strength)}, at ${f.time.toFixed(2)} seconds, vertex ${f.vertex}` : "";
@@ -148,7 +154,7 @@ class Viewer {
   /** Selects a feature and goes to its time. */
   go(i) {
     const f = this.scene.features[i];
-    if (f === undefined) return;
+    if (f === undefined || !this.state.values.features) return;
     this.state.set({ time: Math.min(Math.max(f.time, 0), this.scene.duration), playing: false, selected: i });
   }
 
@@ -202,6 +208,7 @@ class Viewer {
     const elapsed = Math.min((now - this.last) / 1000, LONGEST_STEP);
     this.last = now;
     this.player.advance(elapsed);
+    this.painter.update();
     if (this.stage?.draw(elapsed, this.state.values.playing)) ++this.drawn;
     requestAnimationFrame((next) => this.tick(next));
   }

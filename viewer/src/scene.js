@@ -82,6 +82,7 @@ export const VERTEX_STRIDE = 4;
 /**
  * What is shown: the description, and
  * - `faces`: three vertices for each triangle,
+ * - `rest`: three coordinates of each vertex in the rest shape, up to where that is in space,
  * - `positions[k]`: the grid numbers in the k-th kept frame, VERTEX_STRIDE for each vertex,
  * - `fields[i].values[k]`: 0 to 255 for each vertex.
  */
@@ -99,6 +100,7 @@ export class Scene {
     const n = scene.vertices, kept = scene.kept_frames.length;
     const faceBytes = bytes("scene-faces", 12 * scene.faces);
     const positionBytes = bytes("scene-positions", 6 * n * kept);
+    const restBytes = bytes("scene-rest", 6 * n);
     const fieldBytes = scene.fields.map((_, i) => bytes(`scene-field-${i}`, n * kept));
 
     scene.faces = decodedFaces(await faceBytes);
@@ -111,6 +113,9 @@ export class Scene {
         addPrediction(residuals, (3 * k + c) * n, parents, 0xffff, scene.positions[k - 1] ?? null, now, VERTEX_STRIDE, c);
       scene.positions.push(now);
     }
+    const restResiduals = numbersOfPlanes(await restBytes, 2), rest = new Uint16Array(3 * n);
+    for (let c = 0; c < 3; ++c) addPrediction(restResiduals, c * n, parents, 0xffff, null, rest, 3, c);
+    scene.rest = Float32Array.from(rest, (x) => scene.rest_step * x);
     for (let i = 0; i < scene.fields.length; ++i) {
       const field = scene.fields[i];
       const fieldResiduals = numbersOfPlanes(await fieldBytes[i], 1);

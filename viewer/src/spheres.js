@@ -90,9 +90,10 @@ export class Spheres {
   }
 
   /** Places the spheres that are seen at a time, the farthest first. */
-  update(time, { threshold, selected }, camera) {
+  update(time, { threshold, selected, features }, camera) {
     this.shown = [];
     this.scene.features.forEach((feature, index) => {
+      if (!features) return;
       const opacity = this.scene.opacity(feature, time);
       if (feature.strength < threshold || (opacity === 0 && index !== selected)) return;
       const centre = this.scene.place(feature, time).map((x, c) => x - this.scene.centre[c]);

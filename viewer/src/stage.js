@@ -73,7 +73,14 @@ export class Stage {
     this.controls.enableDamping = true;
     this.controls.dampingFactor = 0.18;
     this.controls.zoomToCursor = true;
+    this.setButtons();
     this.controls.addEventListener("change", () => this.invalidate());
+  }
+
+  /** Where the left button paints, the right one turns. */
+  setButtons() {
+    const { ROTATE, DOLLY, PAN } = THREE.MOUSE;
+    this.controls.mouseButtons = this.state.values.painting ? { LEFT: ROTATE, MIDDLE: PAN, RIGHT: ROTATE } : { LEFT: ROTATE, MIDDLE: DOLLY, RIGHT: PAN };
   }
 
   bodySize() {
@@ -92,6 +99,7 @@ export class Stage {
     if ("wires" in changed) this.surface.wires.visible = s.wires;
     if ("hidden" in changed) this.spheres.hidden.visible = s.hidden;
     if ("up" in changed) this.setUp();
+    if ("painting" in changed) this.setButtons();
     if ("theme" in changed) this.setColors();
     this.invalidate();
   }
@@ -247,23 +255,40 @@ export class Stage {
     this.invalidate();
   }
 
+  /** How many CSS pixels a unit of length has, so far from the eye. */
+  pixelsAt(distance) {
+    return this.canvas.clientHeight / 2 / Math.tan((FIELD_OF_VIEW * Math.PI) / 360) / distance;
+  }
+
   /** Where on the canvas a feature is: CSS pixels, and the radius of its sphere. */
   project(feature) {
     this.camera.updateMatrixWorld();
     const place = new THREE.Vector3(...this.scene.place(feature, this.state.values.time).map((x, c) => x - this.scene.centre[c]));
     const distance = place.distanceTo(this.camera.position);
     const height = this.canvas.clientHeight, p = place.project(this.camera);
-    const radius = (feature.radius / distance) * (height / 2 / Math.tan((FIELD_OF_VIEW * Math.PI) / 360));
+    const radius = feature.radius * this.pixelsAt(distance);
     return { x: ((p.x + 1) / 2) * this.canvas.clientWidth, y: ((1 - p.y) / 2) * height, radius };
+  }
+
+  /** From the eye through a point of the canvas. */
+  rayThrough(x, y) {
+    const caster = new THREE.Raycaster();
+    const point = new THREE.Vector2((2 * x) / this.canvas.clientWidth - 1, 1 - (2 * y) / this.canvas.clientHeight);
+    this.camera.updateMatrixWorld();
+    caster.setFromCamera(point, this.camera);
+    return caster.ray;
   }
 
   /** The feature at a point of the canvas, or -1. */
   featureAt(x, y) {
-    const caster = new THREE.Raycaster();
-    const point = new THREE.Vector2((2 * x) / this.canvas.clientWidth - 1, 1 - (2 * y) / this.canvas.clientHeight);
-    caster.setFromCamera(point, this.camera);
-    if (this.spheres.pick(caster.ray, Infinity) < 0) return -1;
-    return this.spheres.pick(caster.ray, this.surface.distanceAlong(caster.ray, this.state.values.time));
+    const ray = this.rayThrough(x, y);
+    if (this.spheres.pick(ray, Infinity) < 0) return -1;
+    return this.spheres.pick(ray, this.surface.hit(ray, this.state.values.time)?.distance ?? Infinity);
+  }
+
+  /** The surface at a point of the canvas, see Surface.hit(). */
+  surfaceAt(x, y) {
+    return this.surface.hit(this.rayThrough(x, y), this.state.values.time);
   }
 
   addPointer() {

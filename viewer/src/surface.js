@@ -10,13 +10,18 @@ import * as THREE from "three";
 import { MAP_SIZE, mapBytes } from "./colors.js";
 import { VERTEX_STRIDE } from "./scene.js";
 
+/** Of what is painted: far from all colours of fields, to those who do not tell red from green as well. */
+export const PAINT = [0.84, 0.05, 0.55];
+
 const VERTEX_SHADER = /* glsl */ `
   attribute vec4 positionA, positionB; // three coordinates, and the field
   attribute vec2 normalA, normalB;
+  attribute vec4 paint; // whether it is painted, and whether it is under the brush
   uniform vec3 offsetA, offsetB;
   uniform float stepLength, share;
   varying vec3 vNormal, vView;
   varying float vValue;
+  varying vec2 vPaint;
 
   vec3 unfolded(vec2 e) {
     vec3 n = vec3(e, 1.0 - abs(e.x) - abs(e.y));
@@ -30,6 +35,7 @@ const VERTEX_SHADER = /* glsl */ `
     vNormal = normalMatrix * normalize(mix(unfolded(normalA), unfolded(normalB), share));
     vView = -view.xyz;
     vValue = mix(positionA.w, positionB.w, share) / 65535.0;
+    vPaint = paint.xy;
     gl_Position = projectionMatrix * view;
   }
 `;
@@ -41,11 +47,17 @@ const FRAGMENT_SHADER = /* glsl */ `
   uniform bool hasField;
   varying vec3 vNormal, vView;
   varying float vValue;
+  varying vec2 vPaint;
 
   void main() {
     vec3 n = normalize(vNormal), eye = normalize(vView);
     if (!gl_FrontFacing) n = -n;
     vec3 color = hasField ? texture2D(map, vec2((vValue * ${(MAP_SIZE - 1).toFixed(1)} + 0.5) / ${MAP_SIZE.toFixed(1)}, 0.5)).rgb : plain;
+    // the brush is a light veil, paint covers what is there, within an edge that is seen on any colour
+    vec3 ink = vec3(${PAINT.map((c) => c.toFixed(3)).join(", ")});
+    color = mix(color, ink, 0.35 * step(0.5, vPaint.y));
+    color = mix(color, vec3(1.0), step(0.38, vPaint.x));
+    color = mix(color, mix(ink, vec3(1.0), 0.2 * step(0.5, vPaint.y)), step(0.5, vPaint.x));
     color *= color;
     vec3 key = vec3(-0.43, 0.62, 0.66), fill = vec3(0.72, -0.25, 0.65);
     float light = 0.30 + 0.16 * n.y + 0.72 * max(dot(n, key), 0.0) + 0.16 * max(dot(n, fill), 0.0);
@@ -102,6 +114,8 @@ export class Surface {
     };
     this.geometry = new THREE.BufferGeometry();
     this.geometry.setIndex(new THREE.BufferAttribute(scene.faces, 1));
+    this.paint = new THREE.BufferAttribute(new Uint8Array(4 * scene.vertices), 4, true);
+    this.geometry.setAttribute("paint", this.paint);
     const parameters = { uniforms: this.uniforms, vertexShader: VERTEX_SHADER, fragmentShader: FRAGMENT_SHADER };
     this.mesh = new THREE.Mesh(
       this.geometry,
@@ -161,6 +175,14 @@ export class Surface {
     });
   }
 
+  /** Marks the vertices that are painted, and those under the brush. */
+  setPaint(painted, brushed) {
+    this.paint.array.fill(0);
+    for (const v of painted) this.paint.array[4 * v] = 255;
+    for (const v of brushed) this.paint.array[4 * v + 1] = 255;
+    this.paint.needsUpdate = true;
+  }
+
   setMap(name) {
     this.map.image.data.set(mapBytes(name));
     this.map.needsUpdate = true;
@@ -171,8 +193,9 @@ export class Surface {
     this.wires.material.uniforms.ink.value.setStyle(ink);
   }
 
-  /** How far along a ray the surface is first met; Infinity if it is not. In the stage's coordinates. */
-  distanceAlong({ origin, direction }, time) {
+  /** Where all vertices are at a time, in the stage's coordinates. */
+  pointsAt(time) {
+    if (this.points?.time === time) return this.points.points;
     const { from, to, share } = this.scene.interval(time);
     const a = this.scene.positions[from], b = this.scene.positions[to];
     const o = this.scene.offset(from), p = this.scene.offset(to), step = this.scene.step;
@@ -182,13 +205,33 @@ export class Surface {
         const x = o[c] + step * a[VERTEX_STRIDE * v + c], y = p[c] + step * b[VERTEX_STRIDE * v + c];
         points[3 * v + c] = x + share * (y - x);
       }
-    const faces = this.scene.faces, ray = new THREE.Ray(origin, direction);
-    const corners = [new THREE.Vector3(), new THREE.Vector3(), new THREE.Vector3()], hit = new THREE.Vector3();
-    let nearest = Infinity;
+    this.points = { time, points };
+    return points;
+  }
+
+  /** Where a ray meets the surface first: { distance, triangle, barycentric }; null if it does not. Linear in the triangles. */
+  hit({ origin, direction }, time) {
+    const points = this.pointsAt(time), faces = this.scene.faces;
+    const { x: dx, y: dy, z: dz } = direction;
+    let distance = Infinity, nearest = -1, second = 0, third = 0;
     for (let i = 0; i < faces.length; i += 3) {
-      corners.forEach((corner, j) => corner.fromArray(points, 3 * faces[i + j]));
-      if (ray.intersectTriangle(...corners, false, hit) !== null) nearest = Math.min(nearest, hit.distanceTo(origin));
+      const a = 3 * faces[i], b = 3 * faces[i + 1], c = 3 * faces[i + 2];
+      const ax = points[a], ay = points[a + 1], az = points[a + 2];
+      const px = points[b] - ax, py = points[b + 1] - ay, pz = points[b + 2] - az;
+      const qx = points[c] - ax, qy = points[c + 1] - ay, qz = points[c + 2] - az;
+      const ox = origin.x - ax, oy = origin.y - ay, oz = origin.z - az;
+      // Cramer's rule for origin + t direction = a + u p + v q
+      const hx = dy * qz - dz * qy, hy = dz * qx - dx * qz, hz = dx * qy - dy * qx;
+      const scale = px * hx + py * hy + pz * hz;
+      const u = (ox * hx + oy * hy + oz * hz) / scale;
+      if (!(u >= 0 && u <= 1)) continue;
+      const kx = oy * pz - oz * py, ky = oz * px - ox * pz, kz = ox * py - oy * px;
+      const v = (dx * kx + dy * ky + dz * kz) / scale;
+      if (!(v >= 0 && u + v <= 1)) continue;
+      const t = (qx * kx + qy * ky + qz * kz) / scale;
+      if (t > 0 && t < distance) [distance, nearest, second, third] = [t, i, u, v];
     }
-    return nearest;
+    if (nearest < 0) return null;
+    return { distance, triangle: [...faces.subarray(nearest, nearest + 3)], barycentric: [1 - second - third, second, third] };
   }
 }

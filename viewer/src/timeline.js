@@ -4,13 +4,15 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// All features over time: a bar from time - tau to time + tau at the height of its strength.
+// All features over time: a bar from time - tau to time + tau at the height of its strength. While somebody paints, a strip
+// at the bottom shows when there is paint.
 
 import { css, durationColor } from "./colors.js";
+import { PAINT } from "./surface.js";
 import { short } from "./format.js";
 
 const MARGIN = 10; // pixels, left and right, as far as the thumb of the slider beneath needs
-const BAR = 5, REACH = 7; // pixels
+const BAR = 5, REACH = 7, STRIP = 6; // pixels
 
 export class Timeline {
   constructor(canvas, scene, state, scale, onPick) {
@@ -66,7 +68,7 @@ export class Timeline {
   featureAt(x, y) {
     let best = -1, least = REACH;
     this.scene.features.forEach((f, i) => {
-      if (f.strength < this.state.values.threshold) return;
+      if (f.strength < this.state.values.threshold || !this.state.values.features) return;
       const along = Math.max(this.x(f.time - f.tau) - x, x - this.x(f.time + f.tau), 0);
       const distance = Math.hypot(along, y - this.y(f.strength)) + 0.02 * Math.abs(x - this.x(f.time));
       if (distance < least) [best, least] = [i, distance];
@@ -83,11 +85,31 @@ export class Timeline {
     }
     const g = this.canvas.getContext("2d"), style = getComputedStyle(document.documentElement);
     const color = (name) => style.getPropertyValue(name).trim();
-    const { threshold, time, selected } = this.state.values;
+    const { time, features, painting } = this.state.values;
     g.setTransform(ratio, 0, 0, ratio, 0, 0);
     g.clearRect(0, 0, width, height);
     this.drawSeconds(g, height, color);
+    if (features) this.drawFeatures(g, width, color);
+    if (painting) this.drawPaint(g, height);
+    g.strokeStyle = color("--ink");
+    g.lineWidth = 2;
+    g.beginPath();
+    g.moveTo(this.x(time), 0);
+    g.lineTo(this.x(time), height);
+    g.stroke();
+  }
 
+  drawPaint(g, height) {
+    const d = this.scene.frame_duration, half = d / 2;
+    g.fillStyle = css(PAINT);
+    for (const { first, last } of this.state.values.strokes) {
+      const from = this.x(Math.max(first * d - half, 0)), to = this.x(Math.min(last * d + half, this.scene.duration));
+      g.fillRect(from, height - STRIP, Math.max(to - from, 2), STRIP);
+    }
+  }
+
+  drawFeatures(g, width, color) {
+    const { threshold, selected } = this.state.values;
     g.lineCap = "round";
     const order = this.scene.features.map((_, i) => i).reverse(); // the strongest on top
     for (const i of order) {
@@ -119,12 +141,6 @@ export class Timeline {
     g.lineTo(width, this.y(threshold) + 0.5);
     g.stroke();
     g.setLineDash([]);
-    g.strokeStyle = color("--ink");
-    g.lineWidth = 2;
-    g.beginPath();
-    g.moveTo(this.x(time), 0);
-    g.lineTo(this.x(time), height);
-    g.stroke();
   }
 
   /** Thin lines at whole multiples of a nice step. */

@@ -32,6 +32,19 @@ std::vector<std::size_t> kept_frames(std::size_t number_of_frames, std::size_t s
   return frames;
 }
 
+Quantized_positions::Trajectories resting(const CGAL::Animated_mesh_features::Rest_shape& shape)
+{
+  const std::size_t n = shape.number_of_vertices();
+  Quantized_positions::Trajectories result;
+  result.x = result.y = result.z = CGAL::Animated_mesh_features::Spatio_temporal_field<double>(n, 1);
+  for (std::size_t v = 0; v < n; ++v) {
+    result.x(v, 0) = shape.points()[v].x();
+    result.y(v, 0) = shape.points()[v].y();
+    result.z(v, 0) = shape.points()[v].z();
+  }
+  return result;
+}
+
 // The least significant byte of all numbers, then the next one of all, and so on: the upper bytes of small numbers are
 // a long run of zeros.
 template <class Number>
@@ -80,6 +93,8 @@ Html_scene::Html_scene(const Shown_scene& scene, std::size_t frame_step)
   : m_scene(scene)
   , m_frames(kept_frames(scene.sequence.number_of_frames(), frame_step))
   , m_positions(scene.sequence.trajectories(), scene.sequence.rest_shape())
+  , m_rest(resting(scene.sequence.rest_shape()))
+  , m_rest_positions(m_rest, scene.sequence.rest_shape())
   , m_prediction(scene.sequence.number_of_vertices(), scene.sequence.rest_shape().triangles())
 {
   for (const Scene_field& f : scene.fields) m_fields.emplace_back(*f.values, m_frames);
@@ -95,7 +110,8 @@ void Html_scene::write(std::ostream& os) const
 {
   write_description(os, description());
   write_bytes(os, "scene-faces", faces());
-  write_bytes(os, "scene-positions", positions());
+  write_bytes(os, "scene-positions", positions(m_positions, m_frames));
+  write_bytes(os, "scene-rest", positions(m_rest_positions, {0}));
   for (std::size_t i = 0; i < m_fields.size(); ++i)
     write_bytes(os, "scene-field-" + std::to_string(i), byte_planes(residuals(m_fields[i])));
 }
@@ -122,6 +138,7 @@ Json Html_scene::description() const
           {"origin", m_positions.origin()},
           {"step", m_positions.step()},
           {"corners", corners()},
+          {"rest_step", m_rest_positions.step()},
           {"fields", std::move(fields)},
           {"colours",
            {{"field", samples(Rendering::field_colours())}, {"duration", samples(Rendering::duration_colours())}}},
@@ -151,16 +168,16 @@ std::string Html_scene::faces() const
   return byte_planes(residuals);
 }
 
-std::string Html_scene::positions() const
+std::string Html_scene::positions(const Quantized_positions& positions, const std::vector<std::size_t>& frames) const
 {
   std::vector<std::uint16_t> residuals, now;
-  residuals.reserve(3 * m_scene.sequence.number_of_vertices() * m_frames.size());
+  residuals.reserve(3 * m_scene.sequence.number_of_vertices() * frames.size());
   std::array<std::vector<std::uint16_t>, 3> before;
   before.fill(std::vector<std::uint16_t>(m_scene.sequence.number_of_vertices()));
-  for (const std::size_t f : m_frames) {
+  for (const std::size_t f : frames) {
     Interruption::check();
     for (std::size_t c = 0; c < 3; ++c) {
-      m_positions.get_frame(c, f, now);
+      positions.get_frame(c, f, now);
       m_prediction.append_residuals(residuals, before[c], now);
       before[c].swap(now);
     }

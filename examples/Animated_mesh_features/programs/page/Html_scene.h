@@ -38,12 +38,14 @@ private:
   nlohmann::ordered_json description() const;
   nlohmann::ordered_json corners() const;
   std::string faces() const;
-  std::string positions() const;
+  std::string positions(const Quantized_positions& positions, const std::vector<std::size_t>& frames) const;
   std::vector<std::uint8_t> residuals(const Quantized_field& field) const;
 
   const Shown_scene& m_scene;
   std::vector<std::size_t> m_frames; // that are kept
   Quantized_positions m_positions;
+  const Quantized_positions::Trajectories m_rest; // the rest shape, as an animation of one frame
+  Quantized_positions m_rest_positions;
   Surface_prediction m_prediction;
   std::vector<Quantized_field> m_fields;
 };

@@ -32,8 +32,10 @@ struct Html_report
 // The scene is kept small: 2.2 bytes for a vertex and a frame, and 0.6 for each field, on a galloping horse.
 // - Positions are rounded to a grid of 2^16 steps along the longest side of the largest frame's bounding box; no vertex
 //   moves by more than sqrt(3) / 2 steps, at most 1.4e-5 of that side. The page says how much it is.
+// - The rest shape, along whose edges the page measures a brush, is rounded likewise, to a grid of its own; where it is in
+//   space is not kept.
 // - Fields are rounded to 256 values between the smallest and the 99.5th percentile, above which they are shown as that.
-// - Both are written as differences from what a neighbour's motion predicts, in byte planes, deflated, as base64.
+// - All are written as differences from what a neighbour's motion predicts, in byte planes, deflated, as base64.
 // - Features are written as IO::write_json() does.
 //
 // A scene of more vertices times frames than `Html_options::most_positions` is thinned out in time: every k-th frame and
