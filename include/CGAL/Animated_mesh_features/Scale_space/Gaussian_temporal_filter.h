@@ -36,8 +36,8 @@ exactly, the mean is kept exactly, and no new extrema appear, whatever the step.
 
 A level costs F times the number of its weights. If steps grow with the variances, a row that has been smoothed needs a
 weight every few frames only: two or three dozen of them altogether in single precision, however wide the Gaussian, and
-twice as many in double precision, in which rows of up to 1,024 frames nevertheless get all of them. So time is linear in F
-also where variances grow with the duration.
+twice as many in double precision, in which rows of up to 1,024 frames nevertheless get all of them. So time is linear
+in F also where variances grow with the duration.
 
 \cgalModels{TemporalFilter}
 */
@@ -133,8 +133,8 @@ public:
   /// a row is continued by its mirror image.
   bool reflects() const { return true; }
 
-  /// the weights of level `l` with respect to the unsmoothed row, by distance on the circle of 2 F frames on which the row
-  /// and its mirror image live: up to F + 1 of them, those that are left out are zero. Linear in F.
+  /// the weights of level `l` with respect to the unsmoothed row, by distance on the circle of 2 F frames on which the
+  /// row and its mirror image live: up to F + 1 of them, those that are left out are zero. Linear in F.
   std::vector<double> weights_by_distance(std::size_t l) const
   {
     return internal::on_circle(internal::discrete_gaussian(m_variances[l] / (m_frame_duration * m_frame_duration)), m_frames);
@@ -232,15 +232,15 @@ private:
     return values;
   }
 
-  // The right half of the weights of a step of variance u. For short rows on a circle of 2 F frames, where a row and its
-  // mirror image live; that of the opposite frame counts half, since it is reached from both sides.
+  // The right half of the weights of a step of variance u. For short rows on a circle of 2 F frames, where a row and
+  // its mirror image live; that of the opposite frame counts half, since it is reached from both sides.
   std::vector<double> step_weights(double u) const
   {
     return m_frames <= longest_full_row ? weights_by_frequencies(u) : internal::discrete_gaussian(u);
   }
 
-  // Into how many equal steps one of long rows is divided, so that none reaches further than two rows: weights reach some
-  // nine standard deviations.
+  // Into how many equal steps one of long rows is divided, so that none reaches further than two rows: weights reach
+  // some nine standard deviations.
   std::size_t number_of_parts(double u) const
   {
     if (m_frames <= longest_full_row) return 1;
@@ -260,8 +260,8 @@ private:
   //
   // With a weight every s frames, each s times as large, the factor g(w - 2 pi k / s) comes with g(w) for all k < s,
   // g(w) = exp(u (cos w - 1)). Before came exp(v (cos w - 1)); u cos(w - a) + v cos w is R cos(w - b) with
-  // R^2 = u^2 + v^2 + 2 u v cos a. So a row takes on exp(R - u - v) times its smoothing by a discrete Gaussian of variance
-  // R on a carrier wave, which is at most exp(R - u - v) of its largest value.
+  // R^2 = u^2 + v^2 + 2 u v cos a. So a row takes on exp(R - u - v) times its smoothing by a discrete Gaussian of
+  // variance R on a carrier wave, which is at most exp(R - u - v) of its largest value.
   std::ptrdiff_t largest_stride(double v, double u, double largest_error) const
   {
     const auto share = [&](std::ptrdiff_t k, std::ptrdiff_t s) {
