@@ -67,7 +67,7 @@ void add_measure_options(Option_group& group, Method_options& o)
             to_choice(o.balls));
   group.add("ball-radius", "R",
             "length, or % of the diameter of the rest shape (default: 4.5 % of it, between 3 and 8 mean edge "
-            "lengths)",
+            "lengths, but less where balls would have more than 1,500 vertices in the mean)",
             [&](const Argument& a) { o.ball_radius = Programs::length(a); });
   group.add("alpha", "A", "weight of the change of curvature against strain (default: 7); 0 leaves curvature out",
             [&](const Argument& a) { o.alpha = a.non_negative_number(); });

@@ -55,6 +55,18 @@ inline double bounded_ball_radius(const Rest_shape& shape, double radius)
 /*!
 \ingroup PkgAnimatedMeshFeaturesBalls
 
+the radius \f$r = \min(\max(0.045\,D, 3h), 8h)\f$ from which `default_ball_radius()` starts (length), by the diameter and
+the mean edge length of the rest shape.
+*/
+inline double unbounded_ball_radius(const Rest_shape& shape)
+{
+  const double h = shape.mean_edge_length();
+  return (std::min)((std::max)(0.045 * shape.diameter(), 3 * h), 8 * h);
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesBalls
+
 the default radius \f$r = \min(\max(0.045\,D, 3h), 8h)\f$ of the geodesic balls (length): 4.5 % of the diameter of the
 rest shape, but at least 3 mean edge lengths, below which balls contain too few edges (at 1 edge length, 8 % of the
 balls of a scanned horse contain none), and at most 8, some 230 vertices a ball: memory and time stay linear in the
@@ -75,8 +87,7 @@ edges of about one length, and 800 to 1,000 for scanned animals of 20,000 to 30,
 */
 inline double default_ball_radius(const Rest_shape& shape)
 {
-  const double h = shape.mean_edge_length();
-  return internal::bounded_ball_radius(shape, (std::min)((std::max)(0.045 * shape.diameter(), 3 * h), 8 * h));
+  return internal::bounded_ball_radius(shape, unbounded_ball_radius(shape));
 }
 
 } // namespace Animated_mesh_features
