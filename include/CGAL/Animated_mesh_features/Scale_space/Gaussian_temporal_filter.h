@@ -108,21 +108,25 @@ public:
     typedef typename internal::Scalar_of<T>::type Scalar;
     const Weights& k = std::is_same<Scalar, float>::value ? m_float_weights[l] : m_weights[l];
     const std::ptrdiff_t n = std::ptrdiff_t(m_frames), reach = k.reach();
-    // the row between its mirror images
-    static thread_local std::vector<T> mirrored;
-    if (std::ptrdiff_t(mirrored.size()) < n + 2 * reach) mirrored.resize(std::size_t(n + 2 * reach));
-    T* row = mirrored.data() + reach;
+    if constexpr (!std::is_arithmetic<T>::value) {
+      // Frames whose weights stay within the row need no mirror images: long rows are not copied.
+      if (k.parts == 1 && 4 * reach <= n) {
+        convolve_frames(in + reach, n - 2 * reach, k, out + reach);
+        T* const row = extended<T>(n, reach);
+        mirror(in, 2 * reach, reach, row);
+        convolve_frames(row, reach, k, out);
+        mirror(in + (n - 2 * reach), 2 * reach, reach, row);
+        convolve_frames(row + reach, reach, k, out + (n - reach));
+        return;
+      }
+    }
+    T* const row = extended<T>(n, reach);
     for (std::size_t part = 0; part < k.parts; ++part) {
       mirror(part == 0 ? in : out, n, reach, row);
-      if constexpr (std::is_arithmetic<T>::value) {
+      if constexpr (std::is_arithmetic<T>::value)
         convolve_row(row, n, k, out);
-      } else if (k.stride == 1) {
-        convolve_every(std::integral_constant<std::ptrdiff_t, 1>(), row, n, k, out);
-      } else {
-        // what is weighted together is so far apart that frames in their order would not meet in a cache
-        for (std::ptrdiff_t first = 0; first < (std::min)(n, k.stride); ++first)
-          convolve_every(k.stride, row + first, n - first, k, out + first);
-      }
+      else
+        convolve_frames(row, n, k, out);
     }
   }
 
@@ -150,6 +154,15 @@ private:
     std::size_t parts;
     std::ptrdiff_t reach() const { return stride * std::ptrdiff_t(weights.size() - 1); }
   };
+
+  // Room for a row of n frames between its mirror images.
+  template <class T>
+  static T* extended(std::ptrdiff_t n, std::ptrdiff_t reach)
+  {
+    static thread_local std::vector<T> room;
+    if (std::ptrdiff_t(room.size()) < n + 2 * reach) room.resize(std::size_t(n + 2 * reach));
+    return room.data() + reach;
+  }
 
   // A row of n frames and, on either side, as many of its periodic mirror images as the weights reach.
   template <class T>
@@ -183,6 +196,16 @@ private:
     // two at a time: half of the loads and stores of the sum
     for (; i + 1 < size; i += 2) sum += pair(i) + pair(i + 1);
     if (i < size) sum += pair(i);
+  }
+
+  // Values of several vertices, in n frames; those on either side that have weights are there, too.
+  template <class T>
+  static void convolve_frames(const T* row, std::ptrdiff_t n, const Weights& k, T* out)
+  {
+    if (k.stride == 1) return convolve_every(std::integral_constant<std::ptrdiff_t, 1>(), row, n, k, out);
+    // what is weighted together is so far apart that frames in their order would not meet in a cache
+    for (std::ptrdiff_t first = 0; first < (std::min)(n, k.stride); ++first)
+      convolve_every(k.stride, row + first, n - first, k, out + first);
   }
 
   // Values of several vertices, in frames `spacing` apart.
