@@ -108,25 +108,18 @@ public:
     typedef typename internal::Scalar_of<T>::type Scalar;
     const Weights& k = std::is_same<Scalar, float>::value ? m_float_weights[l] : m_weights[l];
     const std::ptrdiff_t n = std::ptrdiff_t(m_frames), reach = k.reach();
-    if constexpr (!std::is_arithmetic<T>::value) {
-      // Frames whose weights stay within the row need no mirror images: long rows are not copied.
-      if (k.parts == 1 && 4 * reach <= n) {
-        convolve_frames(in + reach, n - 2 * reach, k, out + reach);
-        T* const row = extended<T>(n, reach);
-        mirror(in, 2 * reach, reach, row);
-        convolve_frames(row, reach, k, out);
-        mirror(in + (n - 2 * reach), 2 * reach, reach, row);
-        convolve_frames(row + reach, reach, k, out + (n - reach));
-        return;
-      }
-    }
-    T* const row = extended<T>(n, reach);
+    if constexpr (!std::is_arithmetic<T>::value)
+      if (k.stride > 1) return convolve_thinned(in, n, k, out);
+    // the row between its mirror images
+    static thread_local std::vector<T> mirrored;
+    if (std::ptrdiff_t(mirrored.size()) < n + 2 * reach) mirrored.resize(std::size_t(n + 2 * reach));
+    T* const row = mirrored.data() + reach;
     for (std::size_t part = 0; part < k.parts; ++part) {
       mirror(part == 0 ? in : out, n, reach, row);
       if constexpr (std::is_arithmetic<T>::value)
         convolve_row(row, n, k, out);
       else
-        convolve_frames(row, n, k, out);
+        convolve_every(row, n, k, 1, out);
     }
   }
 
@@ -154,15 +147,6 @@ private:
     std::size_t parts;
     std::ptrdiff_t reach() const { return stride * std::ptrdiff_t(weights.size() - 1); }
   };
-
-  // Room for a row of n frames between its mirror images.
-  template <class T>
-  static T* extended(std::ptrdiff_t n, std::ptrdiff_t reach)
-  {
-    static thread_local std::vector<T> room;
-    if (std::ptrdiff_t(room.size()) < n + 2 * reach) room.resize(std::size_t(n + 2 * reach));
-    return room.data() + reach;
-  }
 
   // A row of n frames and, on either side, as many of its periodic mirror images as the weights reach.
   template <class T>
@@ -198,39 +182,59 @@ private:
     if (i < size) sum += pair(i);
   }
 
-  // Values of several vertices, in n frames; those on either side that have weights are there, too.
+  // Values of several vertices, with weights several frames apart: frames that are weighted together, and their mirror
+  // images, are brought together, so that they meet in the caches however long the row is.
   template <class T>
-  static void convolve_frames(const T* row, std::ptrdiff_t n, const Weights& k, T* out)
+  static void convolve_thinned(const T* in, std::ptrdiff_t n, const Weights& k, T* out)
   {
-    if (k.stride == 1) return convolve_every(std::integral_constant<std::ptrdiff_t, 1>(), row, n, k, out);
-    // what is weighted together is so far apart that frames in their order would not meet in a cache
-    for (std::ptrdiff_t first = 0; first < (std::min)(n, k.stride); ++first)
-      convolve_every(k.stride, row + first, n - first, k, out + first);
+    static thread_local std::vector<T> before, gathered;
+    const std::ptrdiff_t s = k.stride, reach = std::ptrdiff_t(k.weights.size()) - 1;
+    const auto inner = [&](std::ptrdiff_t f) { return f >= 0 && f < n; };
+    for (std::size_t part = 0; part < k.parts; ++part) {
+      if (part > 0) before.assign(out, out + n);
+      const T* const row = part == 0 ? in : before.data();
+      for (std::ptrdiff_t first = 0; first < (std::min)(n, s); ++first) {
+        const std::ptrdiff_t count = (n - first + s - 1) / s, size = count + 2 * reach;
+        if (std::ptrdiff_t(gathered.size()) < size) gathered.resize(std::size_t(size));
+        std::ptrdiff_t i = 0, f = first - reach * s;
+        for (; i < size && !inner(f); ++i, f += s) gathered[std::size_t(i)] = row[mirrored_frame(f, n)];
+        for (; i < size && inner(f); ++i, f += s) gathered[std::size_t(i)] = row[f];
+        for (; i < size; ++i, f += s) gathered[std::size_t(i)] = row[mirrored_frame(f, n)];
+        convolve_every(gathered.data() + reach, count, k, s, out + first);
+      }
+    }
   }
 
-  // Values of several vertices, in frames `spacing` apart.
-  template <class Spacing, class T>
-  static void convolve_every(Spacing spacing, const T* row, std::ptrdiff_t n, const Weights& k, T* out)
+  // The frame of the row of which frame f, anywhere, is an image.
+  static std::ptrdiff_t mirrored_frame(std::ptrdiff_t f, std::ptrdiff_t n)
+  {
+    f = (f % (2 * n) + 2 * n) % (2 * n);
+    return f < n ? f : 2 * n - 1 - f;
+  }
+
+  // Values of several vertices in n frames one after the other, all of whose weights there are; written `spacing` apart.
+  template <class T>
+  static void convolve_every(const T* row, std::ptrdiff_t n, const Weights& k, std::ptrdiff_t spacing, T* out)
   {
     std::ptrdiff_t f = 0;
     // several frames at a time: their sums do not wait for one another
-    for (; f + 3 * spacing < n; f += 4 * spacing) convolve<4>(spacing, row + f, k, out + f);
-    for (; f < n; f += spacing) convolve<1>(spacing, row + f, k, out + f);
+    for (; f + 3 < n; f += 4) convolve<4>(row + f, k, spacing, out + f * spacing);
+    for (; f < n; ++f) convolve<1>(row + f, k, spacing, out + f * spacing);
   }
 
   // A register holds one frame of all vertices.
-  template <int frames, class Spacing, class T>
-  static void convolve(Spacing spacing, const T* row, const Weights& k, T* out)
+  template <int frames, class T>
+  static void convolve(const T* row, const Weights& k, std::ptrdiff_t spacing, T* out)
   {
     typedef typename T::Scalar Scalar;
     T sum[frames];
     CGAL_ANIMATED_MESH_FEATURES_UNROLL
-    for (int f = 0; f < frames; ++f) sum[f] = row[f * spacing] * Scalar(k.weights[0]);
+    for (int f = 0; f < frames; ++f) sum[f] = row[f] * Scalar(k.weights[0]);
     for (std::size_t i = 1; i < k.weights.size(); ++i) {
-      const std::ptrdiff_t m = std::ptrdiff_t(i) * k.stride;
+      const std::ptrdiff_t m = std::ptrdiff_t(i);
       const Scalar weight = Scalar(k.weights[i]);
       CGAL_ANIMATED_MESH_FEATURES_UNROLL
-      for (int f = 0; f < frames; ++f) sum[f] = sum[f] + (row[f * spacing - m] + row[f * spacing + m]) * weight;
+      for (int f = 0; f < frames; ++f) sum[f] = sum[f] + (row[f - m] + row[f + m]) * weight;
     }
     CGAL_ANIMATED_MESH_FEATURES_UNROLL
     for (int f = 0; f < frames; ++f) out[f * spacing] = sum[f];
