@@ -51,12 +51,12 @@ of the shortest path along edges of the rest shape from \f$v_0\f$ to \f$v\f$. It
 \f$g\f$ over the vertices with \f$d \le 2.5\,\sigma\f$ and the frames with \f$|t - t_0| \le 2.5\,\tau\f$, each sample weighted
 by the area of its vertex: 1 for a Gaussian event, near 0 for a place whose field has nothing of one. Where \f$\tau\f$ is
 `frames_per_tau` frames or more, times n, only every n-th frame is compared, counted from that of the feature: a Gaussian is
-told by some hundred frames as well as by all of them.
+told by a thousand frames as well as by all of them.
 
 The fit is that of the vertex and not of the refined place, from which it differs by less than an edge.
 
 Keeps `N` distances; the objects that it is made of are kept by reference. For `k` vertices around a feature and `m` frames,
-of which there are at most some 320, whatever \f$\tau\f$, a call takes `O(k log k + k m)`.
+of which there are at most some 2,560, whatever \f$\tau\f$, a call takes `O(k log k + k m)`.
 
 \tparam FT `float` or `double`, the scalar of the field.
 */
@@ -68,8 +68,9 @@ public:
   /// its height.
   static constexpr double reach = 2.5;
 
-  /// at least that many frames for a \f$\tau\f$ are compared, unless it has fewer.
-  static constexpr double frames_per_tau = 32;
+  /// at least that many frames for a \f$\tau\f$ are compared, unless it has fewer: so all of them in rows of up to 1,024
+  /// frames, whose \f$\tau\f$ is a third of the duration at most by default.
+  static constexpr double frames_per_tau = 256;
 
   /*!
   refers to a field and the surface it is on.
