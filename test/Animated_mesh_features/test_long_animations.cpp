@@ -211,7 +211,7 @@ template <class Filter>
 void test_extrema(const Filter& temporal, const Row& time_variances, std::size_t least_number)
 {
   const std::size_t frames = 1400;
-  const Shape plane = regular_plane(4, 4);
+  const Shape plane = regular_plane(5, 5);
   const Amf::Rest_shape shape = rest_shape_of(plane);
   Random random(3);
   Amf::Spatio_temporal_field<double> field(shape.number_of_vertices(), frames);
