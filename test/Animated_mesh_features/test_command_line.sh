@@ -475,7 +475,7 @@ find_features --top 2
 check 'x["features"] == base["features"][:2] and p(x)["top"] == 2'
 find_features --threshold 0 --min-fit 0
 cp x.json all.json
-check 'min(f["fit"] for f in base["features"]) >= 0.4 == p(base)["min_fit"] > min(f["fit"] for f in x["features"])'
+check 'min(f["fit"] for f in base["features"]) >= 0.5 == p(base)["min_fit"] > min(f["fit"] for f in x["features"])'
 check 'all(near(f["strength"], f["amplitude"] * max(0, f["fit"]), 1e-12) for f in x["features"])'
 check 'all(f["parent"] is None or f["parent"] < i for i, f in enumerate(x["features"]))'
 check 'sorted({f["place"] for f in x["features"]}) == list(range(1 + max(f["place"] for f in x["features"])))'

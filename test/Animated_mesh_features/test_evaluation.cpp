@@ -85,22 +85,24 @@ Field gaussian_field(const Rest_shape& shape, std::size_t frames, const Feature&
   return field;
 }
 
-// The definition, sample by sample.
-double plain_fit(const Rest_shape& shape, const Field& field, const Feature& f)
+// The definition, sample by sample; of every `step`-th frame, counted from the one that is nearest to the feature.
+double plain_fit(const Rest_shape& shape, const Field& field, const Feature& f, std::ptrdiff_t step = 1)
 {
+  const std::ptrdiff_t nearest = std::ptrdiff_t(std::floor(f.time / frame_duration + 0.5));
   const std::vector<double> d = path_lengths(shape, f.vertex_index);
   std::vector<double> w, g, x;
-  for (std::size_t v = 0; v < d.size(); ++v)
+  for (std::size_t v = 0; v < d.size(); ++v) {
+    double area = 0;
+    for (std::size_t i = 0; i < shape.triangles().size(); ++i)
+      for (Rest_shape::Index corner : shape.triangles()[i]) area += corner == v ? shape.areas()[i] / 3 : 0;
     for (std::size_t m = 0; m < field.number_of_frames(); ++m) {
       const double t = double(m) * frame_duration - f.time;
-      if (d[v] > 2.5 * f.sigma || std::abs(t) > 2.5 * f.tau) continue;
-      double area = 0;
-      for (std::size_t i = 0; i < shape.triangles().size(); ++i)
-        for (Rest_shape::Index corner : shape.triangles()[i]) area += corner == v ? shape.areas()[i] / 3 : 0;
+      if (d[v] > 2.5 * f.sigma || std::abs(t) > 2.5 * f.tau || (std::ptrdiff_t(m) - nearest) % step != 0) continue;
       w.push_back(area);
       g.push_back(std::exp(-d[v] * d[v] / (2 * f.sigma * f.sigma) - t * t / (2 * f.tau * f.tau)));
       x.push_back(field(v, m));
     }
+  }
   typedef Eigen::Map<Eigen::ArrayXd> Array;
   const Array W(w.data(), Eigen::Index(w.size()));
   Array G(g.data(), Eigen::Index(g.size())), X(x.data(), Eigen::Index(x.size()));
@@ -136,6 +138,18 @@ void test_fit()
                                  random.power(.03, 1));
     CHECK_NEAR(measure(g).fit, plain_fit(shape, noise, g), 1e-12);
   }
+  // slow ones: at least 256 frames of a tau
+  const std::size_t long_row = 700;
+  Field long_noise(shape.number_of_vertices(), long_row);
+  for (std::size_t v = 0; v < shape.number_of_vertices(); ++v)
+    for (std::size_t m = 0; m < long_row; ++m) long_noise(v, m) = random(0, 1);
+  for (const double start : {0.1, 311.2, 699.}) // frames
+    for (const std::ptrdiff_t step : {1, 3, 8}) {
+      const Feature g = feature_at(middle, start * frame_duration, 0.15, (256 * double(step) + 100) * frame_duration);
+      CHECK_NEAR(Amf::feature_fit(shape, areas, long_noise, frame_duration, g).fit, plain_fit(shape, long_noise, g, step),
+                 1e-12);
+      CHECK_NEAR(Amf::feature_fit(shape, areas, gaussian_field(shape, long_row, g, 1, 2), frame_duration, g).fit, 1, 1e-9);
+    }
   // one vertex, one frame: nothing varies
   CHECK(measure(feature_at(middle, 10 * frame_duration, 1e-3, 1e-3)).fit == 0);
   // no frame at all

@@ -69,6 +69,7 @@ for frame in 1 2 3 4 5 6; do
     BEGIN { first = 1; tube(25, 20, 200, 0); tube(60, 100, 1, 6000) }' >"f$frame.obj"
 done
 check_memory "a part that is far denser" f*.obj --fps 10
+grep -q "balls: radius .*1,500 vertices" err || fail "no note of a ball radius that is bounded: $(cat err)"
 
 [[ $failed -eq 0 ]] && echo "$checks runs passed"
 exit "$failed"

@@ -26,6 +26,7 @@ struct Detection
   Searched_scales scales;
   Method_values values;
   double ball_radius = 0;                  // length; 0 if no balls were needed
+  bool bounds_ball_radius = false;         // the default is smaller, as balls would have too many vertices
   std::optional<Missing_features> missing; // if there are no features
 };
 

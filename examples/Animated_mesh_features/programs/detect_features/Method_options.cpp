@@ -67,7 +67,7 @@ void add_measure_options(Option_group& group, Method_options& o)
             to_choice(o.balls));
   group.add("ball-radius", "R",
             "length, or % of the diameter of the rest shape (default: 4.5 % of it, between 3 and 8 mean edge "
-            "lengths)",
+            "lengths, but less where balls would have more than 1,500 vertices in the mean)",
             [&](const Argument& a) { o.ball_radius = Programs::length(a); });
   group.add("alpha", "A", "weight of the change of curvature against strain (default: 7); 0 leaves curvature out",
             [&](const Argument& a) { o.alpha = a.non_negative_number(); });
@@ -187,7 +187,7 @@ void add_selection_options(Option_group& group, Method_options& o)
             });
   group.add("min-fit", "R",
             "least correlation of the deformation around a feature with the feature's Gaussian, 0 to 1; 0: any (default: "
-            "0.4; p: any)",
+            "0.5; p: any)",
             [&](const Argument& a) { o.min_fit = fraction(a, "is above 1; it is a correlation"); });
   group.add("top", "N", "the N strongest features at most", [&](const Argument& a) { o.top = a.count(); });
   group.add_switch("no-suppression", o.no_suppression, "keep features close to stronger ones (p)");

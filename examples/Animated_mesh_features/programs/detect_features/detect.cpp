@@ -42,6 +42,7 @@ Detection detect(const Sequence& sequence, const Method_options& o, std::size_t 
   detection.values = method_values(o, sequence.number_of_frames());
   Deformation deformation = measure_deformation(sequence, o, detection.values, fields, monitor);
   detection.ball_radius = deformation.ball_radius;
+  detection.bounds_ball_radius = deformation.bounds_ball_radius;
 
   Search search{sequence.rest_shape(),
                 sequence.frame_duration(),

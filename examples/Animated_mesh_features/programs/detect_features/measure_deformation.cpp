@@ -37,6 +37,8 @@ Deformation measure(const Sequence& sequence, const Method_options& o, const Met
   if (options.alpha != 0 || fields.is_wanted(Field::CURVATURE))
     result.ball_radius = o.ball_radius ? o.ball_radius->on(sequence.rest_shape().diameter())
                                        : AMF::default_ball_radius(sequence.rest_shape());
+  result.bounds_ball_radius = result.ball_radius > 0 && !o.ball_radius &&
+                              result.ball_radius < AMF::unbounded_ball_radius(sequence.rest_shape());
   options.ball_radius = result.ball_radius;
   AMF::Deformation_measurement<Sequence, decltype(options)> measurement(sequence, options);
 

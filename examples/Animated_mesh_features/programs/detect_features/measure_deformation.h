@@ -19,8 +19,9 @@ namespace Detect_features {
 struct Deformation
 {
   Programs::Values field;
-  double noise = 0;       // of the responses to it
-  double ball_radius = 0; // length; 0 if no balls were needed
+  double noise = 0;                // of the responses to it
+  double ball_radius = 0;          // length; 0 if no balls were needed
+  bool bounds_ball_radius = false; // the default is smaller, as balls would have too many vertices
 };
 
 // The first stage. On the way, the fields that are wanted are written and kept; the deformation is written only, since

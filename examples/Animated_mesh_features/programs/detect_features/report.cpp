@@ -97,7 +97,10 @@ std::string detection_report(const Detection& detection)
 {
   const Searched_scales& scales = detection.scales;
   std::ostringstream os;
-  if (detection.ball_radius > 0) os << "balls: radius " << detection.ball_radius << "\n";
+  if (detection.ball_radius > 0)
+    os << "balls: radius " << detection.ball_radius
+       << (detection.bounds_ball_radius ? ", smaller than usual so that balls have 1,500 vertices at most in the mean" : "")
+       << "\n";
   os << "scales: " << searched("sigma", scales.sigma_levels, scales, "") << ", "
      << searched("tau", scales.tau_levels, scales, " s") << "\n";
   const std::size_t at_limit = std::size_t(std::count_if(detection.features.begin(), detection.features.end(),

@@ -32,9 +32,9 @@ struct Feature_selection
   /// two thresholds decides. A single burst hides everything else by it.
   double relative_threshold = 0;
 
-  /// the least fit, see `Feature_point::fit`; 0 or less: any. By default 0.4, below which one feature in ten is at a
-  /// joint that moves, and above which four in ten are.
-  double min_fit = 0.4;
+  /// the least fit, see `Feature_point::fit`; 0 or less: any. By default 0.5: of what is below, one in ten is at a joint
+  /// that moves, measured on bodies with skeletons; of what is above, half.
+  double min_fit = 0.5;
 
   /// that many features at most, the strongest ones.
   std::size_t most_features = std::size_t(-1);

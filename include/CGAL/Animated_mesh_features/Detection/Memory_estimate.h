@@ -24,8 +24,8 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesMemory
 
-What a detection with the package's own policies needs, in bytes. An estimate from above for default ball radii on meshes
-of moderate valence: not exceeded, and not more than about twice what is taken at last.
+What a detection with the package's own policies needs, in bytes. An estimate from above for default ball radii on
+meshes of moderate valence: not exceeded, and not more than about twice what is taken at last.
 
 Fields can be elsewhere, see `Scratch_field_memory`; `fixed` cannot.
 */
@@ -76,13 +76,13 @@ inline Memory_estimate memory_without_balls(std::size_t number_of_vertices, std:
   constexpr double mesh = 600; // CGAL's mesh, the rest shape, what reading and renumbering take
   // entries of a Cholesky factor, which grow with the logarithm of N; index and value, of two levels at a time
   const double factor = 2 * 12 * (std::max)(30., 4 * std::log2(n + 1) - 16);
-  // The levels of a row in time, of which `published` has most by default: matrices of F x F up to 64 MB for short rows,
-  // weights by distance for long ones, once on one side and once on both.
+  // The levels of a row in time, of which `published` has most by default: matrices of F x F up to 64 MB for short
+  // rows, weights by distance for long ones, once on one side and once on both.
   constexpr double levels = 56, largest_matrices = 1 << 26, longest_with_matrices = 1024;
   const double weights = frames <= longest_with_matrices ? (std::min)(largest_matrices, levels * frames * frames * 8)
                                                          : levels * 3 * frames * 8;
-  // Of a vertex, for each frame: a dozen packs of the search in single precision and as many in double precision, each a
-  // cache line or three, and the rows of weights.
+  // Of a vertex, for each frame: a dozen packs of the search in single precision and as many in double precision, each
+  // a cache line or three, and the rows of weights.
   constexpr double packs = 2600;
   Memory_estimate estimate;
   estimate.fixed = (std::size_t(1) << 25) +
@@ -121,8 +121,8 @@ inline Ball_sizes sampled_ball_sizes(const Rest_shape& shape)
 /*!
 \ingroup PkgAnimatedMeshFeaturesMemory
 
-estimates the memory of a detection, in constant time, before anything is read. Geodesic balls are taken as those of a mesh
-with edges of about one length.
+estimates the memory of a detection, in constant time, before anything is read. Geodesic balls are taken as those of a
+mesh with edges of about one length.
 
 \param number_of_vertices `N`.
 \param number_of_frames `F`.
@@ -135,7 +135,8 @@ inline Memory_estimate estimated_memory(std::size_t number_of_vertices, std::siz
 {
   Memory_estimate estimate =
       internal::memory_without_balls(number_of_vertices, number_of_frames, scalar_size, number_of_threads);
-  constexpr std::size_t ball_entries = 240, ball_entry = 8; // radius of 8 edge lengths; 4 bytes, twice while they are made
+  // radius of 8 edge lengths; 4 bytes, twice while they are made
+  constexpr std::size_t ball_entries = 240, ball_entry = 8;
   estimate.fixed += number_of_vertices * ball_entries * ball_entry;
   return estimate;
 }
@@ -143,8 +144,8 @@ inline Memory_estimate estimated_memory(std::size_t number_of_vertices, std::siz
 /*!
 \ingroup PkgAnimatedMeshFeaturesMemory
 
-the same for a shape that is known: geodesic balls are counted, at some vertices. In a part of the mesh that is denser than
-the whole they have many more vertices than elsewhere.
+the same for a shape that is known: geodesic balls are counted, at some vertices. In a part of the mesh that is denser
+than the whole they have many more vertices than elsewhere.
 
 \param shape the rest shape.
 \param number_of_frames `F`.

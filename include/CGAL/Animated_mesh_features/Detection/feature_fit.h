@@ -49,12 +49,14 @@ A feature at vertex \f$v_0\f$ and time \f$t_0\f$ says that the field around it l
 \f$g(v, t) = e^{-d(v)^2/2\sigma^2}\,e^{-(t-t_0)^2/2\tau^2}\f$, up to a factor and a constant, where \f$d(v)\f$ is the length
 of the shortest path along edges of the rest shape from \f$v_0\f$ to \f$v\f$. Its fit is the correlation of the field with
 \f$g\f$ over the vertices with \f$d \le 2.5\,\sigma\f$ and the frames with \f$|t - t_0| \le 2.5\,\tau\f$, each sample weighted
-by the area of its vertex: 1 for a Gaussian event, near 0 for a place whose field has nothing of one.
+by the area of its vertex: 1 for a Gaussian event, near 0 for a place whose field has nothing of one. Where \f$\tau\f$ is
+`frames_per_tau` frames or more, times n, only every n-th frame is compared, counted from that of the feature: a Gaussian is
+told by a thousand frames as well as by all of them.
 
 The fit is that of the vertex and not of the refined place, from which it differs by less than an edge.
 
-Keeps `N` distances; the objects that it is made of are kept by reference. For `k` vertices and `m` frames around a feature
-a call takes `O(k log k + k m)`.
+Keeps `N` distances; the objects that it is made of are kept by reference. For `k` vertices around a feature and `m` frames,
+of which there are at most some 2,560, whatever \f$\tau\f$, a call takes `O(k log k + k m)`.
 
 \tparam FT `float` or `double`, the scalar of the field.
 */
@@ -65,6 +67,10 @@ public:
   /// within how many \f$\sigma\f$ and \f$\tau\f$ of a feature the field is compared: beyond, the Gaussian is below 5 % of
   /// its height.
   static constexpr double reach = 2.5;
+
+  /// at least that many frames for a \f$\tau\f$ are compared, unless it has fewer: so all of them in rows of up to 1,024
+  /// frames, whose \f$\tau\f$ is a third of the duration at most by default.
+  static constexpr double frames_per_tau = 256;
 
   /*!
   refers to a field and the surface it is on.
@@ -148,13 +154,21 @@ private:
     m_in_space.variance = m_area > 0 ? squares / m_area : 0;
   }
 
-  // The Gaussian in time; all frames weigh the same.
+  // The Gaussian in time; all frames that are compared weigh the same.
   void measure_frames(const Feature_point& f)
   {
     const auto time = [&](std::size_t frame) { return double(frame) * m_frame_duration - f.time; };
     m_in_time.values.clear();
+    const std::size_t frames = m_field->number_of_frames();
+    const double middle = f.time / m_frame_duration, tau = f.tau / m_frame_duration;
+    const auto frame_at = [&](double x) { return std::size_t((std::min)(double(frames), (std::max)(0., x))); };
+    m_step = frame_at((std::max)(1., tau / frames_per_tau));
+    // one more on either side, as these are rounded
+    std::size_t first = frame_at(middle - reach * tau - 1);
+    first += (frame_at(middle + 0.5) - first) % m_step;
+    const std::size_t last = frame_at(middle + reach * tau + 2);
     double sum = 0;
-    for (std::size_t m = 0; m < m_field->number_of_frames(); ++m) {
+    for (std::size_t m = first; m < last; m += m_step) {
       if (!(std::abs(time(m)) <= reach * f.tau)) continue;
       if (m_in_time.values.empty()) m_first_frame = m;
       m_in_time.values.push_back(gaussian(time(m), f.tau));
@@ -175,7 +189,7 @@ private:
     for (Rest_shape::Index v : around) {
       const FT* const x = m_field->row(v) + m_first_frame;
       double sum = 0;
-      for (std::size_t m = 0; m < frames; ++m) sum += double(x[m]);
+      for (std::size_t m = 0; m < frames; ++m) sum += double(x[m * m_step]);
       mean += weight * (*m_areas)[v] * sum;
     }
     // The mean is rounded: what is left of it is taken out below.
@@ -184,7 +198,7 @@ private:
       const FT* const x = m_field->row(around[i]) + m_first_frame;
       double sum = 0, squares = 0, products = 0;
       for (std::size_t m = 0; m < frames; ++m) {
-        const double y = double(x[m]) - mean;
+        const double y = double(x[m * m_step]) - mean;
         sum += y;
         squares += y * y;
         products += y * m_in_time.values[m];
@@ -213,7 +227,7 @@ private:
   // of the feature that is being measured
   Factor m_in_space, m_in_time;
   double m_area = 0, m_disc_area = 0;
-  std::size_t m_first_frame = 0;
+  std::size_t m_first_frame = 0, m_step = 1; // the frames that are compared, each so many after the one before
 };
 
 /*!

@@ -18,8 +18,9 @@ namespace Animated_mesh_features {
 
 namespace internal {
 
-// The mean over the vertices of how many vertices a flat ball has if all edges are as long as those around its centre, in
-// the mean, l: a disk of radius r by the area of a vertex in equilateral triangles, 2 pi / sqrt(3) (r / l)^2; at most all.
+// The mean over the vertices of how many vertices a flat ball has if all edges are as long as those around its centre,
+// in the mean, l: a disk of radius r by the area of a vertex in equilateral triangles, 2 pi / sqrt(3) (r / l)^2; at
+// most all.
 inline double mean_ball_size(const Rest_shape& shape, double radius)
 {
   constexpr double vertices_of_unit_ball = 3.6275987284684357; // 2 pi / sqrt(3)
@@ -54,6 +55,18 @@ inline double bounded_ball_radius(const Rest_shape& shape, double radius)
 /*!
 \ingroup PkgAnimatedMeshFeaturesBalls
 
+the radius \f$r = \min(\max(0.045\,D, 3h), 8h)\f$ from which `default_ball_radius()` starts (length), by the diameter and
+the mean edge length of the rest shape.
+*/
+inline double unbounded_ball_radius(const Rest_shape& shape)
+{
+  const double h = shape.mean_edge_length();
+  return (std::min)((std::max)(0.045 * shape.diameter(), 3 * h), 8 * h);
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesBalls
+
 the default radius \f$r = \min(\max(0.045\,D, 3h), 8h)\f$ of the geodesic balls (length): 4.5 % of the diameter of the
 rest shape, but at least 3 mean edge lengths, below which balls contain too few edges (at 1 edge length, 8 % of the
 balls of a scanned horse contain none), and at most 8, some 230 vertices a ball: memory and time stay linear in the
@@ -65,16 +78,16 @@ both of which that is above 3 edge lengths, the share of the strongest features 
 than at 2.5 %.
 
 Where a part of a mesh is far denser than the whole, as a detailed head on a coarse figure, mean edge lengths say little
-about it, and its balls would have so many vertices that time and memory went with the square of their number. Of meshes of
-more than 1,500 vertices the radius is therefore so small that a ball has 1,500 vertices at most, in the mean over the
-vertices, where a ball counts as \f$2\pi/\sqrt3\,(r/l)^2\f$ vertices, \f$l\f$ the mean length of the edges at its centre,
-and as all of the mesh at most (and no less than a hundredth of what is said above). That count is some 230 for edges of
-about one length, and 800 to 1,000 for scanned animals of 20,000 to 30,000 vertices, which it leaves alone. `O(N)`.
+about it, and its balls would have so many vertices that time and memory went with the square of their number. Of meshes
+of more than 1,500 vertices the radius is therefore so small that a ball has 1,500 vertices at most, in the mean over
+the vertices, where a ball counts as \f$2\pi/\sqrt3\,(r/l)^2\f$ vertices, \f$l\f$ the mean length of the edges at its
+centre, and as all of the mesh at most (and no less than a hundredth of what is said above). That count is some 230 for
+edges of about one length, and 800 to 1,000 for scanned animals of 20,000 to 30,000 vertices, which it leaves alone.
+`O(N)`.
 */
 inline double default_ball_radius(const Rest_shape& shape)
 {
-  const double h = shape.mean_edge_length();
-  return internal::bounded_ball_radius(shape, (std::min)((std::max)(0.045 * shape.diameter(), 3 * h), 8 * h));
+  return internal::bounded_ball_radius(shape, unbounded_ball_radius(shape));
 }
 
 } // namespace Animated_mesh_features

@@ -36,8 +36,8 @@ exactly, the mean is kept exactly, and no new extrema appear, whatever the step.
 
 A level costs F times the number of its weights. If steps grow with the variances, a row that has been smoothed needs a
 weight every few frames only: two or three dozen of them altogether in single precision, however wide the Gaussian, and
-twice as many in double precision, in which rows of up to 1,024 frames nevertheless get all of them. So time is linear in F
-also where variances grow with the duration.
+twice as many in double precision, in which rows of up to 1,024 frames nevertheless get all of them. So time is linear
+in F also where variances grow with the duration.
 
 \cgalModels{TemporalFilter}
 */
@@ -108,21 +108,18 @@ public:
     typedef typename internal::Scalar_of<T>::type Scalar;
     const Weights& k = std::is_same<Scalar, float>::value ? m_float_weights[l] : m_weights[l];
     const std::ptrdiff_t n = std::ptrdiff_t(m_frames), reach = k.reach();
+    if constexpr (!std::is_arithmetic<T>::value)
+      if (k.stride > 1) return convolve_thinned(in, n, k, out);
     // the row between its mirror images
     static thread_local std::vector<T> mirrored;
     if (std::ptrdiff_t(mirrored.size()) < n + 2 * reach) mirrored.resize(std::size_t(n + 2 * reach));
-    T* row = mirrored.data() + reach;
+    T* const row = mirrored.data() + reach;
     for (std::size_t part = 0; part < k.parts; ++part) {
       mirror(part == 0 ? in : out, n, reach, row);
-      if constexpr (std::is_arithmetic<T>::value) {
+      if constexpr (std::is_arithmetic<T>::value)
         convolve_row(row, n, k, out);
-      } else if (k.stride == 1) {
-        convolve_every(std::integral_constant<std::ptrdiff_t, 1>(), row, n, k, out);
-      } else {
-        // what is weighted together is so far apart that frames in their order would not meet in a cache
-        for (std::ptrdiff_t first = 0; first < (std::min)(n, k.stride); ++first)
-          convolve_every(k.stride, row + first, n - first, k, out + first);
-      }
+      else
+        convolve_every(row, n, k, 1, out);
     }
   }
 
@@ -133,8 +130,8 @@ public:
   /// a row is continued by its mirror image.
   bool reflects() const { return true; }
 
-  /// the weights of level `l` with respect to the unsmoothed row, by distance on the circle of 2 F frames on which the row
-  /// and its mirror image live: up to F + 1 of them, those that are left out are zero. Linear in F.
+  /// the weights of level `l` with respect to the unsmoothed row, by distance on the circle of 2 F frames on which the
+  /// row and its mirror image live: up to F + 1 of them, those that are left out are zero. Linear in F.
   std::vector<double> weights_by_distance(std::size_t l) const
   {
     return internal::on_circle(internal::discrete_gaussian(m_variances[l] / (m_frame_duration * m_frame_duration)), m_frames);
@@ -185,29 +182,59 @@ private:
     if (i < size) sum += pair(i);
   }
 
-  // Values of several vertices, in frames `spacing` apart.
-  template <class Spacing, class T>
-  static void convolve_every(Spacing spacing, const T* row, std::ptrdiff_t n, const Weights& k, T* out)
+  // Values of several vertices, with weights several frames apart: frames that are weighted together, and their mirror
+  // images, are brought together, so that they meet in the caches however long the row is.
+  template <class T>
+  static void convolve_thinned(const T* in, std::ptrdiff_t n, const Weights& k, T* out)
+  {
+    static thread_local std::vector<T> before, gathered;
+    const std::ptrdiff_t s = k.stride, reach = std::ptrdiff_t(k.weights.size()) - 1;
+    const auto inner = [&](std::ptrdiff_t f) { return f >= 0 && f < n; };
+    for (std::size_t part = 0; part < k.parts; ++part) {
+      if (part > 0) before.assign(out, out + n);
+      const T* const row = part == 0 ? in : before.data();
+      for (std::ptrdiff_t first = 0; first < (std::min)(n, s); ++first) {
+        const std::ptrdiff_t count = (n - first + s - 1) / s, size = count + 2 * reach;
+        if (std::ptrdiff_t(gathered.size()) < size) gathered.resize(std::size_t(size));
+        std::ptrdiff_t i = 0, f = first - reach * s;
+        for (; i < size && !inner(f); ++i, f += s) gathered[std::size_t(i)] = row[mirrored_frame(f, n)];
+        for (; i < size && inner(f); ++i, f += s) gathered[std::size_t(i)] = row[f];
+        for (; i < size; ++i, f += s) gathered[std::size_t(i)] = row[mirrored_frame(f, n)];
+        convolve_every(gathered.data() + reach, count, k, s, out + first);
+      }
+    }
+  }
+
+  // The frame of the row of which frame f, anywhere, is an image.
+  static std::ptrdiff_t mirrored_frame(std::ptrdiff_t f, std::ptrdiff_t n)
+  {
+    f = (f % (2 * n) + 2 * n) % (2 * n);
+    return f < n ? f : 2 * n - 1 - f;
+  }
+
+  // Values of several vertices in n frames one after the other, all of whose weights there are; written `spacing` apart.
+  template <class T>
+  static void convolve_every(const T* row, std::ptrdiff_t n, const Weights& k, std::ptrdiff_t spacing, T* out)
   {
     std::ptrdiff_t f = 0;
     // several frames at a time: their sums do not wait for one another
-    for (; f + 3 * spacing < n; f += 4 * spacing) convolve<4>(spacing, row + f, k, out + f);
-    for (; f < n; f += spacing) convolve<1>(spacing, row + f, k, out + f);
+    for (; f + 3 < n; f += 4) convolve<4>(row + f, k, spacing, out + f * spacing);
+    for (; f < n; ++f) convolve<1>(row + f, k, spacing, out + f * spacing);
   }
 
   // A register holds one frame of all vertices.
-  template <int frames, class Spacing, class T>
-  static void convolve(Spacing spacing, const T* row, const Weights& k, T* out)
+  template <int frames, class T>
+  static void convolve(const T* row, const Weights& k, std::ptrdiff_t spacing, T* out)
   {
     typedef typename T::Scalar Scalar;
     T sum[frames];
     CGAL_ANIMATED_MESH_FEATURES_UNROLL
-    for (int f = 0; f < frames; ++f) sum[f] = row[f * spacing] * Scalar(k.weights[0]);
+    for (int f = 0; f < frames; ++f) sum[f] = row[f] * Scalar(k.weights[0]);
     for (std::size_t i = 1; i < k.weights.size(); ++i) {
-      const std::ptrdiff_t m = std::ptrdiff_t(i) * k.stride;
+      const std::ptrdiff_t m = std::ptrdiff_t(i);
       const Scalar weight = Scalar(k.weights[i]);
       CGAL_ANIMATED_MESH_FEATURES_UNROLL
-      for (int f = 0; f < frames; ++f) sum[f] = sum[f] + (row[f * spacing - m] + row[f * spacing + m]) * weight;
+      for (int f = 0; f < frames; ++f) sum[f] = sum[f] + (row[f - m] + row[f + m]) * weight;
     }
     CGAL_ANIMATED_MESH_FEATURES_UNROLL
     for (int f = 0; f < frames; ++f) out[f * spacing] = sum[f];
@@ -232,15 +259,15 @@ private:
     return values;
   }
 
-  // The right half of the weights of a step of variance u. For short rows on a circle of 2 F frames, where a row and its
-  // mirror image live; that of the opposite frame counts half, since it is reached from both sides.
+  // The right half of the weights of a step of variance u. For short rows on a circle of 2 F frames, where a row and
+  // its mirror image live; that of the opposite frame counts half, since it is reached from both sides.
   std::vector<double> step_weights(double u) const
   {
     return m_frames <= longest_full_row ? weights_by_frequencies(u) : internal::discrete_gaussian(u);
   }
 
-  // Into how many equal steps one of long rows is divided, so that none reaches further than two rows: weights reach some
-  // nine standard deviations.
+  // Into how many equal steps one of long rows is divided, so that none reaches further than two rows: weights reach
+  // some nine standard deviations.
   std::size_t number_of_parts(double u) const
   {
     if (m_frames <= longest_full_row) return 1;
@@ -260,8 +287,8 @@ private:
   //
   // With a weight every s frames, each s times as large, the factor g(w - 2 pi k / s) comes with g(w) for all k < s,
   // g(w) = exp(u (cos w - 1)). Before came exp(v (cos w - 1)); u cos(w - a) + v cos w is R cos(w - b) with
-  // R^2 = u^2 + v^2 + 2 u v cos a. So a row takes on exp(R - u - v) times its smoothing by a discrete Gaussian of variance
-  // R on a carrier wave, which is at most exp(R - u - v) of its largest value.
+  // R^2 = u^2 + v^2 + 2 u v cos a. So a row takes on exp(R - u - v) times its smoothing by a discrete Gaussian of
+  // variance R on a carrier wave, which is at most exp(R - u - v) of its largest value.
   std::ptrdiff_t largest_stride(double v, double u, double largest_error) const
   {
     const auto share = [&](std::ptrdiff_t k, std::ptrdiff_t s) {

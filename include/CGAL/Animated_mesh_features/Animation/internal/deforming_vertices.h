@@ -45,9 +45,9 @@ double largest_edge_change(const Rest_shape& shape, const Vertex_trajectories<FT
   return lengths > 0 ? std::sqrt(largest / lengths) : std::sqrt(largest);
 }
 
-// The vertices of the components that deform, ascending: all that belong to triangles, if there is but one component, if
-// none deforms, or if a change is too large for a number. What changes less than a hundredth of what changes most, or less than single precision tells, keeps its
-// shape: ground, props, what is carried along.
+// The vertices of the components that deform, ascending: all that belong to triangles, if there is but one component,
+// if none deforms, or if a change is too large for a number. What changes less than a hundredth of what changes most,
+// or less than single precision tells, keeps its shape: ground, props, what is carried along.
 // Complexity: O(F E) time, for more than one component.
 template <class FT>
 std::vector<Rest_shape::Index> deforming_vertices(const Rest_shape& shape, const Vertex_trajectories<FT>& trajectories)

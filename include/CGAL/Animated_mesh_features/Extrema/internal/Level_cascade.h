@@ -37,8 +37,8 @@ public:
   typedef T Scalar;
   static constexpr bool is_single = sizeof(T) == sizeof(float);
   typedef std::conditional_t<is_single, Level_cascade<double, TemporalFilter>, void> Precise;
-  // Levels in a pack, of which as many responses are made but for `below` + `above`. In double precision half as many: one
-  // register at most, and hardly any of them idle where a mesh has few space levels.
+  // Levels in a pack, of which as many responses are made but for `below` + `above`. In double precision half as many:
+  // one register at most, and hardly any of them idle where a mesh has few space levels.
   static constexpr std::size_t pack_size = is_single ? 16 : 8;
 
   static std::size_t largest_batch(std::size_t below, std::size_t above) { return pack_size - 2 - below - above; }

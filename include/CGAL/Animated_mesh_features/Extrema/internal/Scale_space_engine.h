@@ -114,8 +114,10 @@ public:
     };
     if constexpr (Is_vectorized_filter<TemporalFilter>::value && Searches_strict_minima<Search>::value &&
                   below + above <= 5) { // what a pack has room for
-      if (m_temporal.has_equal_steps()) return run_cascade(Difference_cascade<TemporalFilter>(m_temporal));
-      if (levels_are_far_apart(spatial)) return run_cascade(Level_cascade<float, TemporalFilter>(m_temporal));
+      if (!rows_are_slow()) {
+        if (m_temporal.has_equal_steps()) return run_cascade(Difference_cascade<TemporalFilter>(m_temporal));
+        if (levels_are_far_apart(spatial)) return run_cascade(Level_cascade<float, TemporalFilter>(m_temporal));
+      }
       return run_cascade(Level_cascade<double, TemporalFilter>(m_temporal));
     } else {
       constexpr std::size_t fitting = 12;
@@ -155,6 +157,15 @@ private:
     for (std::size_t l = 1; l < m_time_levels; ++l)
       result = result && m_temporal.variance(l) >= least_ratio * m_temporal.variance(l - 1);
     return result;
+  }
+
+  // Whether levels of long rows change so little from frame to frame that single precision cannot tell one from the
+  // next: nearly every vertex would be searched again in double precision.
+  bool rows_are_slow() const
+  {
+    constexpr std::size_t long_row = 1024, slow = 64; // frames
+    const double widest = std::sqrt(m_temporal.variance(m_time_levels - 1));
+    return m_frames > long_row && widest > double(slow) * m_frame_duration;
   }
 
   template <class ConcurrencyTag, class FT, class SpatialFilter, class MakeDetector>

@@ -51,8 +51,8 @@ struct Is_mirror_symmetric<Filter, std::enable_if_t<Filter::is_mirror_symmetric>
 {
 };
 
-// The weights of all frames in a frame of a level of a temporal filter, for a window of levels that moves upwards: row f
-// of the level's matrix T_l. Matrices have F^2 numbers a level; where these would be too many, rows are made of the
+// The weights of all frames in a frame of a level of a temporal filter, for a window of levels that moves upwards: row
+// f of the level's matrix T_l. Matrices have F^2 numbers a level; where these would be too many, rows are made of the
 // filter's weights by distance when they are asked for, if it tells them, as all filters do that continue a row by its
 // mirror image and weigh by distance: T_l(f, j) = w_l(f - j) + w_l(f + j + 1), on a circle of 2 F frames.
 template <class TemporalFilter>
@@ -170,7 +170,8 @@ public:
       const std::size_t to_first = f + m_begin + 1; // from the image of frame m_begin
       if (to_first < size) add(weights.data() + to_first, (std::min)(m_end - m_begin, size - to_first), row);
       const std::size_t distance = 2 * n - 1 - f; // to the image of frame 0, and less to those after it
-      const std::size_t first = (std::max)(m_begin, distance + 1 - (std::min)(size, n)); // what is n away was added above
+      // what is n away was added above
+      const std::size_t first = (std::max)(m_begin, distance + 1 - (std::min)(size, n));
       if (first < m_end) add(own - (distance - first), m_end - first, row + (first - m_begin));
     }
 
@@ -231,8 +232,8 @@ private:
     return result;
   }
 
-  // The weights of level m_first + i on either side of a frame, with zeros as far as any level that is asked for together
-  // with it reaches from a frame next to it.
+  // The weights of level m_first + i on either side of a frame, with zeros as far as any level that is asked for
+  // together with it reaches from a frame next to it.
   std::vector<double> two_sided(std::size_t i) const
   {
     const std::size_t l = m_first + i, levels = m_least_window;

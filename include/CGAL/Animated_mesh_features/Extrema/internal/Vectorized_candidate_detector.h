@@ -29,8 +29,8 @@ namespace internal {
 // its arithmetic leave possible, so that nothing is lost by single precision; they are verified afterwards.
 //
 // Where a field hardly changes over frames and scales, single precision leaves everything possible. A vertex of which
-// that is so is searched again with Cascade::Precise, unless that is `void`; as that may take fewer space levels at a time,
-// in parts of the batch.
+// that is so is searched again with Cascade::Precise, unless that is `void`; as that may take fewer space levels at a
+// time, in parts of the batch.
 //
 // Cascade::Row<bytes> makes the responses of successive time levels of a vertex.
 template <class Cascade>
