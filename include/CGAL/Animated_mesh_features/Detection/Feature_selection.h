@@ -33,7 +33,7 @@ struct Feature_selection
   double relative_threshold = 0;
 
   /// the least fit, see `Feature_point::fit`; 0 or less: any. By default 0.5: of what is below, one in ten is at a joint
-  /// that moves, measured on bodies with skeletons; of what is above, half.
+  /// that moves, measured on bodies with skeletons; of what is above, more than four in ten.
   double min_fit = 0.5;
 
   /// that many features at most, the strongest ones.
