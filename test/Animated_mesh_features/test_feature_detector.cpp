@@ -153,6 +153,7 @@ void test_reuse(const Bumpy_sphere& sphere, const Rest_shape& shape)
   for (std::size_t v = 0; v < noise.number_of_rows(); ++v)
     for (std::size_t f = 0; f < noise.number_of_frames(); ++f) noise(v, f) = double(random()) / double(random.max());
   Detector detector(shape, noise, sphere.frame_duration);
+  detector.selection().min_fit = 0;
   const double middle = detect_with(detector).front().strength / 2;
   std::vector<std::size_t> numbers;
   for (double relative : {0.9, 0.0, 0.2})
