@@ -171,12 +171,16 @@ Shape limbs(Random& random)
 double of_lattice(double t)
 {
   const std::size_t n = 120;
+  static const Row cosines = [&] {
+    Row c;
+    for (std::size_t i = 0; i < 2 * n; ++i) c.push_back(std::cos(pi * double(i) / double(n)));
+    return c;
+  }();
   const double area = std::sqrt(3.) / 2;
   double sum = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t j = 0; j < n; ++j) {
-      const double a = 2 * pi * (double(i) + 0.5) / double(n), b = 2 * pi * (double(j) + 0.5) / double(n);
-      const double lambda = 4. / 3 * (3 - std::cos(a) - std::cos(b) - std::cos(a - b));
+  for (std::size_t i = 1; i < 2 * n; i += 2) // angles between those of the whole steps, so that none is 0
+    for (std::size_t j = 1; j < 2 * n; j += 2) {
+      const double lambda = 4. / 3 * (3 - cosines[i] - cosines[j] - cosines[i > j ? i - j : j - i]);
       sum += 1 / ((1 + t * area * lambda) * (1 + t * area * lambda));
     }
   return 4 * pi * t * sum / double(n * n);
