@@ -79,8 +79,8 @@ struct Feature_point
   /// out, in the unit of the field. With a response that knows of no amplitude, such as the paper's, it is `-response`.
   double strength = 0;
 
-  /// features at the same place, at whatever time, have the same number, those at the place of the strongest feature 0,
-  /// and so on. See `number_places()`.
+  /// features at the same place, at whatever time, have the same number; that of the strongest feature is 0. The same
+  /// place: nearer to the strongest feature there than the larger of the two sigmas, which are within a factor of 1.5.
   std::size_t place = 0;
 
   /// the rank of the strongest feature of another scale in which this one lies, in space and time; `none` if there is none.

@@ -24,8 +24,8 @@ a field of another unit see `of_any_field()`.
 */
 struct Feature_selection
 {
-  /// the least strength, in the unit of the field. By default 1/8: a joint that bends by more than some 20 degrees
-  /// deforms the skin by that; measured on bodies with skeletons. It does not depend on what else happens in the clip.
+  /// the least strength, in the unit of the field. By default 1/8, above which four features in five are at a
+  /// joint that moves, measured on bodies with skeletons. It does not depend on what else happens in the clip.
   double absolute_threshold = 0.125;
 
   /// the least strength, as a fraction of the strongest one found, in [0, 1]; by default there is none. The stricter of the

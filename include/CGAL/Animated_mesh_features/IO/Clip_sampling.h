@@ -45,7 +45,7 @@ struct Clip_sampling
   /// a rate below which nothing is recorded: that of film.
   static constexpr double least_frames_per_second = 24;
 
-  /// as many as it takes for some temporal scales between a frame and a sixth of the duration.
+  /// as many as it takes for some temporal scales between a frame and a part of the duration.
   static constexpr std::size_t least_frames = 48;
 
   /// more than an hour at any usual rate.
