@@ -25,6 +25,8 @@ public:
   {
     test::allowed_threads() = (std::min)(m_before, int(value));
   }
+  static std::size_t active_value(parameter) { return std::size_t(test::allowed_threads()); }
+
   ~global_control() { test::allowed_threads() = m_before; }
   global_control(const global_control&) = delete;
   global_control& operator=(const global_control&) = delete;
