@@ -25,7 +25,9 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 
 using namespace Programs;
 
@@ -58,10 +60,13 @@ void run(const Command_line& c)
   log.begin("reading");
   Memory_plan plan = memory_plan(c.run);
   std::string page_notice;
-  const Animation animation(c.reading, [&](std::size_t vertices, std::size_t frames) {
+  const auto choose_memory = [&](std::size_t vertices, std::size_t frames) {
     page_notice = html_notice(c.output, vertices, frames);
     return plan.decide(vertices, frames, c.output.extra_fields());
-  });
+  };
+  std::optional<Monitor> monitor(std::in_place, log, !c.run.quiet);
+  const Animation animation(c.reading, choose_memory, *monitor);
+  monitor.reset(); // what is told now is not to stand beside a progress bar
   log.end();
   const Sequence& sequence = animation.sequence();
   plan.refine(sequence.rest_shape());
@@ -76,11 +81,9 @@ void run(const Command_line& c)
   const Interruption interruption; // before there is anything to be left on a disk
   Result_files files(c.output);
   Wanted_fields fields(c.output, files, log);
-  Detection detection;
-  {
-    Monitor monitor(log, !c.run.quiet);
-    detection = detect(sequence, c.method, plan.level_memory(), fields, monitor);
-  }
+  monitor.emplace(log, !c.run.quiet);
+  const Detection detection = detect(sequence, c.method, plan.level_memory(), fields, *monitor);
+  monitor.reset();
   Interruption::check();
   {
     const Stage_log::Scope stage(log, "writing");

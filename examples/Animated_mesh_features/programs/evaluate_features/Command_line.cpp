@@ -135,8 +135,8 @@ void run(Command& command, const Common_options& o)
   if (!o.json.empty()) outputs.push_back(o.json);
   if (!o.plot.empty()) outputs.push_back(o.plot);
   Programs::check_outputs(outputs, command.input_files());
-  const Programs::Interruption interruption;
   Result result = command.run(o);
+  const Programs::Interruption interruption; // now that there is something to be left on a disk
   if (result.curves) result.report.json["curves"] = json_of(*result.curves);
   Programs::Interruption::check();
   write(result, o);

@@ -10,6 +10,7 @@
 #include "evaluate_features/write_region_mesh.h"
 #include "reading/Animation.h"
 #include "reading/Reading_options.h"
+#include "running/Interruption.h"
 
 #include <CGAL/Animated_mesh_features/Animation/vertex_areas.h>
 #include <CGAL/Animated_mesh_features/Evaluation/Painting_scores.h>
@@ -137,6 +138,7 @@ painters scores against the other, if there are two or more, and chance: as many
       if (painters.maps().size() < 2)
         result.report.remarks.push_back("one painter: there is nobody to agree with, and no interval");
     }
+    const Programs::Interruption interruption; // now that there is something to be left on a disk
     write(shape, present, weighted);
     return result;
   }

@@ -140,7 +140,8 @@ void add_notice_of_stiff_parts(const AMF::Rest_shape& shape, std::vector<std::st
 
 } // namespace
 
-Animation::Animation(const Reading_options& options, const AMF::IO::Memory_chooser& choose_memory)
+Animation::Animation(const Reading_options& options, const AMF::IO::Memory_chooser& choose_memory,
+                     AMF::Any_visitor visitor)
 {
   const Model_format format = model_format(options.inputs);
   check_options(options, format);
@@ -166,7 +167,7 @@ Animation::Animation(const Reading_options& options, const AMF::IO::Memory_choos
   m_mesh = AMF::IO::to_surface_mesh(data.mesh, data.sources.front());
   m_sequence.emplace(m_mesh, std::move(data.x), std::move(data.y), std::move(data.z), 1 / m_frames_per_second);
   check_size(*m_sequence, data.frame_name(0));
-  m_rest = take_rest(options, data, m_is_sampled, *m_sequence, m_notices);
+  m_rest = take_rest(options, data, m_is_sampled, *m_sequence, m_notices, visitor);
   add_notice_of_stiff_parts(m_sequence->rest_shape(), m_notices);
   m_origins = std::move(data.origins);
 }

@@ -13,6 +13,7 @@
 
 #include <CGAL/Animated_mesh_features/IO/Memory_chooser.h>
 #include <CGAL/Animated_mesh_features/IO/Vertex_origins.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
 
 #include <cstddef>
 #include <optional>
@@ -25,8 +26,10 @@ namespace Programs {
 class Animation
 {
 public:
-  // throws Input_error and Option_error, and what `choose_memory` throws.
-  Animation(const Reading_options& options, const CGAL::Animated_mesh_features::IO::Memory_chooser& choose_memory);
+  // `visitor`: is told of the stage REST_SHAPE, if the rest shape is computed.
+  // throws Input_error and Option_error, Cancelled if the visitor asks for it, and what `choose_memory` throws.
+  Animation(const Reading_options& options, const CGAL::Animated_mesh_features::IO::Memory_chooser& choose_memory,
+            CGAL::Animated_mesh_features::Any_visitor visitor = CGAL::Animated_mesh_features::Any_visitor());
   Animation(const Animation&) = delete;
   Animation& operator=(const Animation&) = delete;
 

@@ -12,6 +12,7 @@
 #include "reading/Values.h"
 
 #include <CGAL/Animated_mesh_features/IO/Animation_file_data.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
 
 #include <string>
 #include <vector>
@@ -32,9 +33,11 @@ struct Taken_rest
 // given with a point cache or the bind pose of a model, scaled if it is in another unit than the frames; the average of
 // all frames if there is none of these, or it is but one of the frames. `data`: what the sequence was made of, without its
 // coordinates. `is_model`: of which frames were made. Adds to `notices` what the user is to be told in any case.
-// throws Option_error if there is no such shape, Input_error if it does not fit the frames.
+// throws Option_error if there is no such shape, Input_error if it does not fit the frames, Cancelled if the visitor asks
+// for it while an average is computed.
 Taken_rest take_rest(const Reading_options& options, const CGAL::Animated_mesh_features::IO::Animation_file_data<FT>& data,
-                     bool is_model, Sequence& sequence, std::vector<std::string>& notices);
+                     bool is_model, Sequence& sequence, std::vector<std::string>& notices,
+                     CGAL::Animated_mesh_features::Any_visitor visitor);
 
 } // namespace Programs
 

@@ -38,19 +38,29 @@ std::size_t peak_memory()
 
 void Stage_log::begin(const std::string& name)
 {
-  m_current =
-      std::size_t(std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& e) { return e.name == name; }) -
-                  m_entries.begin());
-  if (m_current == m_entries.size()) m_entries.push_back({name, 0, 0});
+  if (!m_open.empty()) count_for_innermost();
+  const auto entry =
+      std::find_if(m_entries.begin(), m_entries.end(), [&](const Entry& e) { return e.name == name; });
+  m_open.push_back(std::size_t(entry - m_entries.begin()));
+  if (entry == m_entries.end()) m_entries.push_back({name, 0, 0});
   m_timer.reset();
   m_timer.start();
 }
 
 void Stage_log::end()
 {
+  count_for_innermost();
+  m_open.pop_back();
+  if (!m_open.empty()) m_timer.start();
+}
+
+void Stage_log::count_for_innermost()
+{
   m_timer.stop();
-  m_entries[m_current].seconds += m_timer.time();
-  m_entries[m_current].peak_memory = peak_memory();
+  Entry& e = m_entries[m_open.back()];
+  e.seconds += m_timer.time();
+  e.peak_memory = peak_memory();
+  m_timer.reset();
 }
 
 std::string Stage_log::report() const

@@ -15,7 +15,8 @@
 
 namespace Programs {
 
-// The time of each stage, and the peak of memory at its end. A stage that runs in several portions is one entry.
+// The time of each stage, and the peak of memory at its end. A stage that runs in several portions is one entry; one that
+// runs within another is an entry of its own, and its time is not the other's.
 class Stage_log
 {
 public:
@@ -55,8 +56,10 @@ public:
   };
 
 private:
+  void count_for_innermost();
+
   std::vector<Entry> m_entries;
-  std::size_t m_current = 0;
+  std::vector<std::size_t> m_open; // entries, the innermost last
   CGAL::Real_timer m_timer, m_total;
 };
 
