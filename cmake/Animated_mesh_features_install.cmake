@@ -56,6 +56,20 @@ if(DEFINED ANIMATED_MESH_FEATURES_VIEWER_PAGE)
     OPTIONAL)
 endif()
 
+if(TARGET detect_features)
+  set(texts "${PROJECT_BINARY_DIR}/texts")
+  foreach(text IN ITEMS
+      "detect_features.1|${CMAKE_INSTALL_MANDIR}/man1"
+      "detect_features|${CMAKE_INSTALL_DATADIR}/bash-completion/completions"
+      "_detect_features|${CMAKE_INSTALL_DATADIR}/zsh/site-functions"
+      "detect_features.fish|${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
+    string(REPLACE "|" ";" text "${text}")
+    list(GET text 0 file)
+    list(GET text 1 destination)
+    install(FILES "${texts}/${file}" DESTINATION "${destination}" COMPONENT programs OPTIONAL)
+  endforeach()
+endif()
+
 foreach(program IN ITEMS detect_features evaluate_features make_animation)
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT programs)

@@ -115,10 +115,11 @@ def interrupt(program, arguments):
     return process.returncode
 
 
-def on_terminal(program, arguments):
-    """What the program writes to a terminal as standard error output."""
+def on_terminal(program, arguments, stream="stderr"):
+    """What the program writes to a terminal as one of its outputs."""
     master, slave = pty.openpty()
-    process = subprocess.Popen([program] + arguments, stdout=subprocess.DEVNULL, stderr=slave)
+    outputs = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, stream: slave}
+    process = subprocess.Popen([program] + arguments, **outputs)
     os.close(slave)
     text = b""
     while True:
@@ -142,9 +143,18 @@ elif command == "frames":  # base, names of the frames, separated by commas: a m
     n, f, frames = read_pc2(arguments[0])
     for xyz, name in zip(frames, arguments[1].split(",")):
         write_obj(name, xyz, faces(arguments[0]))
+elif command == "table":  # program and its arguments, to somebody at a terminal
+    code, text = on_terminal(arguments[0], arguments[1:], "stdout")
+    sys.stdout.write(text.replace("\r\n", "\n"))
+    sys.exit(code)
 elif command == "scaled":  # base, factor, output: the first frame
     n, f, frames = read_pc2(arguments[0])
     write_obj(arguments[2], [float(arguments[1]) * x for x in frames[0]], faces(arguments[0]))
+elif command == "cut":  # input, first frame, last frame, output: a cache of these frames
+    data = open(arguments[0], "rb").read()
+    first, last, n = int(arguments[1]), int(arguments[2]), struct.unpack("<i", data[16:20])[0]
+    with open(arguments[3], "wb") as file:
+        file.write(data[:28] + struct.pack("<i", last - first + 1) + data[32 + 12 * n * first:32 + 12 * n * (last + 1)])
 elif command == "slow":  # base, output: a twentieth of the way from the first frame to the second, in 5 frames
     n, f, frames = read_pc2(arguments[0])
     head = open(arguments[0] + ".pc2", "rb").read()[:28]
@@ -227,6 +237,16 @@ check 'all(f["strength"] > 0 and f["sigma"] > 0 and f["tau"] > 0 for f in base["
 check 'sorted((-f["strength"] for f in base["features"])) == [-f["strength"] for f in base["features"]]'
 check 'p(base)["preset"] == "calibrated" and p(base)["program"].startswith("detect_features ")'
 [[ "$(wc -l <err)" -eq 1 ]] || fail "the summary is not one line"
+# somebody at a terminal, who asks for no file, gets the strongest as a table, and no JSON
+python3 tool.py table "$program" c.obj c.pc2 --fps 10 >table || fail "a table: exit code $?"
+[[ "$(head -n 1 table)" == rank*time*size*duration*amplitude*fit*place ]] || fail "no table: $(head -n 3 table)"
+check 'open("table").read().split("\n")[1].split()[:4] == [
+         "1", "%.4g" % base["features"][0]["time"], str(base["features"][0]["frame"]), str(base["features"][0]["vertex"])]'
+! grep -q "[{}]" table || fail "JSON at a terminal"
+python3 tool.py table "$program" c.obj c.pc2 --fps 10 -o - | python3 -m json.tool >/dev/null || fail "-o - is no JSON at a terminal"
+python3 tool.py table "$program" c.obj c.pc2 --fps 10 --top 1 >table
+[[ "$(grep -c '^ *[0-9]' table)" -eq 1 ]] || fail "--top 1 gives another table: $(cat table)"
+
 # nothing but the message, and no control characters, where there is no terminal
 if LC_ALL=C grep -q "[^[:print:]]" err; then fail "control characters without a terminal"; fi
 no_temporaries
@@ -260,6 +280,28 @@ expect 0 "" -h
 expect 0 "" --version
 grep -qE '^detect_features [0-9]+\.[0-9]+' out || fail "--version: $(cat out)"
 version="$(sed -n 's/^version: //p' "$tests/../../CITATION.cff")"
+usage "did you mean --threshold?" c.obj c.pc2 --treshold 0.1
+usage "did you mean --sigma-range?" c.obj c.pc2 --sigma 1%:
+usage "there is no option --zzz" c.obj c.pc2 --zzz
+! grep -q "did you mean" err || fail "a suggestion out of nothing: $(cat err)"
+usage "did you mean hencky?" c.obj c.pc2 --strain henky
+usage "did you mean average?" c.obj c.pc2 --rest mean
+usage "is neither a file nor mesh, bind, first, frame:N or average; did you mean first?" c.obj c.pc2 --rest frist
+expect 0 "" --man
+[[ "$(head -n 1 out)" == ".TH DETECT_FEATURES 1"* ]] || fail "--man is no manual page"
+grep -qF '\fB\-\-threshold\fR \fIT\fR' out || fail "--man lacks --threshold"
+if command -v man >/dev/null; then
+  man --warnings -E UTF-8 -l -Tutf8 out 2>&1 >page | grep . && fail "man complains of the manual page"
+fi
+expect 0 "" --completion bash
+bash -c '. ./out; COMP_WORDS=(detect_features --thr) COMP_CWORD=1; _detect_features; [[ "${COMPREPLY[*]}" == --threshold ]]' ||
+  fail "bash does not complete --thr"
+for shell in zsh fish; do
+  expect 0 "" --completion $shell
+  [[ "$(grep -c -- threshold out)" -ge 2 ]] || fail "the completion for $shell lacks options"
+  ! command -v $shell >/dev/null || $shell -n out || fail "$shell does not understand its completion"
+done
+usage "choose among bash, zsh, fish" --completion tcsh
 grep -qF "detect_features $version " out || fail "CITATION.cff is about version $version"
 grep -qF "edition = {$version}" "$tests/../../README.md" || fail "README.md is to be cited with another version"
 
@@ -352,6 +394,17 @@ check 'p(x)["fps"] == 30 and near(x["animation"]["frame_duration"], 1 / 30)'
 # What counts as undeformed: by default the mesh of the pair, which is no frame of the run.
 check 'p(base)["rest"] == "mesh" and p(base)["rest_factor"] == 1 and p(base)["rescale_rest"] is False'
 expect 0 "against the mesh c.obj (given with the frames), computed in" c.obj c.pc2 --fps 10 -o x.json
+# some of the frames: the same as of an animation that has no others
+find_features --frames 2:13
+python3 tool.py cut c.pc2 2 13 cut.pc2
+mv x.json part.json
+expect 0 "note: frames 2 to 13 of 16; frames and times count from the first of them" c.obj c.pc2 --frames 2:13 --fps 10 -o x.json
+expect 0 "" c.obj cut.pc2 --fps 10 -o x.json
+check "part['features'] == x['features'] and part['animation']['frames'] == 12 and p(part)['frame_range'] == '2:13'"
+usage "there is no such frame; frames are 0 to 15" c.obj c.pc2 --frames 2:16 -o x.json
+usage "is empty" c.obj c.pc2 --frames 5:4 -o x.json
+expect 3 "at least 3 are needed" c.obj c.pc2 --frames 14: -o y.json
+
 find_features --rest mesh
 cmp -s x.json base.json || fail "--rest mesh is not the default"
 find_features --rest c.obj

@@ -29,6 +29,10 @@ int main(int argc, char* argv[])
       std::cout << full_usage() << std::flush;
     else if (command_line.version)
       std::cout << Programs::version_line("detect_features") << std::flush;
+    else if (command_line.manual_page)
+      std::cout << manual_page() << std::flush;
+    else if (command_line.completion)
+      std::cout << completion(*command_line.completion) << std::flush;
     else
       run(command_line);
   });

@@ -7,6 +7,7 @@
 #include "detect_features/Command_line.h"
 
 #include "options/Option_groups.h"
+#include "options/write_manual_page.h"
 #include "output/check_outputs.h"
 
 #include <sstream>
@@ -17,6 +18,19 @@ using Programs::Option_groups;
 namespace Detect_features {
 
 namespace {
+
+const char* const examples = R"(  detect_features walk.obj walk.pc2 --html view.html
+  detect_features walk.obj walk.pc2 -o features.json -o features.csv
+  detect_features hand.glb --clip Fist --there-and-back -o features.json
+  detect_features frames/ --fps 25 --rest standing.obj --png features.png
+  detect_features walk.obj walk.pc2 --sigma-range 1%:10% --tau-range :0.5 | python3 -m json.tool
+  detect_features walk.obj walk.mdd --alpha 0 --write-field strain:strain.npy -o strain_features.csv
+)";
+
+const char* const exit_codes =
+    R"(0 success, 1 failure (out of memory, numerical), 2 wrong usage, 3 unusable input, 4 output cannot be written,
+130 interrupted. A regular output file appears whole or not at all; pipes and devices are written directly.
+)";
 
 // The options of all parts of the program, as the help text has them.
 void add_options(Option_groups& groups, Command_line& c)
@@ -31,6 +45,9 @@ void add_options(Option_groups& groups, Command_line& c)
   add_resource_options(other, c.run);
   other.add_switch("help,h", c.help, "show this text");
   other.add_switch("version", c.version, "show the version");
+  other.add_switch("man", c.manual_page, "show this text as a manual page: detect_features --man | man -l -");
+  other.add("completion", "SHELL", "show what completes the options in bash, zsh or fish",
+            [&](const Programs::Argument& a) { c.completion = a.choice<Programs::Shell>(); });
   groups.add_positional("inputs", c.reading.inputs, -1);
 }
 
@@ -42,8 +59,9 @@ Command_line parse_command_line(int argc, const char* const* argv)
   Option_groups groups;
   add_options(groups, c);
   groups.parse(argc, argv);
-  if (c.help || c.version) return c;
+  if (c.help || c.version || c.manual_page) return c;
   groups.use();
+  if (c.completion) return c;
   check(c.reading);
   check(c.run);
   check(c.method);
@@ -59,22 +77,37 @@ std::string full_usage()
   Option_groups groups;
   add_options(groups, unused);
   std::ostringstream os;
-  os << R"(Usage: detect_features [options] INPUT...
+  os << "Usage: detect_features [options] INPUT...\n\n"
+     << "Finds spatio-temporal feature points on an animated mesh: where, when, how large and how long it deforms "
+        "distinctively.\n\n"
+     << Programs::input_help() << "\nExamples:\n"
+     << examples << groups << "\nExit codes: " << exit_codes;
+  return os.str();
+}
 
-Finds spatio-temporal feature points on an animated mesh: where, when, how large and how long it deforms distinctively.
+std::string manual_page()
+{
+  Command_line unused;
+  Option_groups groups;
+  add_options(groups, unused);
+  std::ostringstream os;
+  write_manual_page(os,
+                    {"detect_features",
+                     ANIMATED_MESH_FEATURES_VERSION,
+                     "where, when, how large and how long an animated mesh deforms distinctively",
+                     "[options] INPUT...",
+                     {{"Input", Programs::input_help()}, {"Examples", examples}, {"Exit codes", exit_codes}}},
+                    groups);
+  return os.str();
+}
 
-)" << Programs::input_help()
-     << R"(
-Examples:
-  detect_features walk.obj walk.pc2 --rest standing.obj -o features.json -o features.ply
-  detect_features frames/ --fps 25 --sigma-range 1%:10% --tau-range :0.5 | python3 -m json.tool
-  detect_features hand.glb --clip Fist --there-and-back -o features.json
-  detect_features walk.obj walk.mdd --alpha 0 --write-field strain:strain.npy -o strain_features.csv
-)" << groups
-     << R"(
-Exit codes: 0 success, 1 failure (out of memory, numerical), 2 wrong usage, 3 unusable input, 4 output cannot be written,
-130 interrupted. A regular output file appears whole or not at all; pipes and devices are written directly.
-)";
+std::string completion(Programs::Shell shell)
+{
+  Command_line unused;
+  Option_groups groups;
+  add_options(groups, unused);
+  std::ostringstream os;
+  write_completion(os, shell, "detect_features", groups);
   return os.str();
 }
 

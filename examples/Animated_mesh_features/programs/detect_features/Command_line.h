@@ -8,10 +8,12 @@
 #define DETECT_FEATURES_COMMAND_LINE_H
 
 #include "detect_features/Method_options.h"
+#include "options/write_completion.h"
 #include "output/Output_options.h"
 #include "reading/Reading_options.h"
 #include "running/Run_options.h"
 
+#include <optional>
 #include <string>
 
 namespace Detect_features {
@@ -19,7 +21,9 @@ namespace Detect_features {
 // What was asked for, complete and consistent as far as can be told without the data.
 struct Command_line
 {
-  bool help = false, version = false; // nothing else counts then
+  // nothing else counts if one of these is there
+  bool help = false, version = false, manual_page = false;
+  std::optional<Programs::Shell> completion;
 
   Programs::Reading_options reading;
   Method_options method;
@@ -31,6 +35,10 @@ struct Command_line
 Command_line parse_command_line(int argc, const char* const* argv);
 
 std::string full_usage();
+
+// a page for man(1), and what a shell completes the options by
+std::string manual_page();
+std::string completion(Programs::Shell shell);
 
 } // namespace Detect_features
 

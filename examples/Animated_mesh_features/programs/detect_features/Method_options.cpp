@@ -69,7 +69,8 @@ void add_measure_options(Option_group& group, Method_options& o)
             "length, or % of the diameter of the rest shape (default: 4.5 % of it, between 3 and 8 mean edge "
             "lengths, but less where balls would have more than 1,500 vertices in the mean)",
             [&](const Argument& a) { o.ball_radius = Programs::length(a); });
-  group.add("alpha", "A", "weight of the change of curvature against strain (default: 7); 0 leaves curvature out",
+  group.add("alpha", "A", "weight of the change of curvature, bending, against strain, stretching (default: 7); 0 leaves curvature "
+            "out",
             [&](const Argument& a) { o.alpha = a.non_negative_number(); });
   group.add("baseline", "NAME",
             "what is subtracted from the deformation of each vertex: its least value over the clip, so that what never "
@@ -102,12 +103,12 @@ void add_scale_options(Option_group& group, Method_options& o)
             "search up to L passes of the temporal filter; preset published only (default: by the paper's formula)",
             [&](const Argument& a) { o.time_counts = smoothing_counts(a, o.preset); });
   group.add("sigma-range", "MIN:MAX",
-            "the spatial scales, as lengths or % of the diameter of the rest shape; either may be left out (default: 1 to 17.5 % of "
-            "it). Preset calibrated only",
+            "how large events may be (sigma, the standard deviation of a Gaussian in space), as lengths or % of the "
+            "diameter of the rest shape; either may be left out (default: 1 to 17.5 % of it). Preset calibrated only",
             [&](const Argument& a) { o.sigma = Programs::range(a, Programs::length); });
   group.add("tau-range", "MIN:MAX",
-            "the temporal scales in seconds; either may be left out (default: from one frame to a third of the "
-            "duration). Preset calibrated only",
+            "how long events may last (tau, the standard deviation in time), in seconds; either may be left out "
+            "(default: from one frame to a third of the duration). Preset calibrated only",
             [&](const Argument& a) {
               o.tau = Programs::range(a, [](const Argument& bound) { return bound.positive_number(); });
             });

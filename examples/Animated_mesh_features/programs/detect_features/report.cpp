@@ -112,13 +112,17 @@ std::string detection_report(const Detection& detection)
 }
 
 std::string summary(const Programs::Output_options& output, const Programs::Animation& animation,
-                    const Method_options& method, const Detection& detection, double seconds)
+                    const Method_options& method, const Detection& detection, const Durations& seconds)
 {
   const std::string& reason = animation.rest().reason;
   std::ostringstream os;
   os << counted(detection.features.size(), "feature", "features") << " in "
      << counted(animation.sequence().number_of_frames(), "frame", "frames") << " against " << animation.rest().name
-     << (reason.empty() ? "" : " (" + reason + ")") << ", computed in " << std::fixed << std::setprecision(1) << seconds << " s" << best(animation, method, detection) << list_of_files(output) << '\n';
+     << (reason.empty() ? "" : " (" + reason + ")") << std::fixed << std::setprecision(1) << ", computed in "
+     << seconds.computing << " s";
+  const double worth_telling = 0.05;
+  if (seconds.writing >= worth_telling) os << (output.scenes.empty() ? ", written in " : ", pictures and files in ") << seconds.writing << " s";
+  os << best(animation, method, detection) << list_of_files(output) << '\n';
   return os.str();
 }
 

@@ -24,9 +24,15 @@ namespace Detect_features {
 // Some lines, for --verbose.
 std::string detection_report(const Detection& detection);
 
+// How long the program took (s).
+struct Durations
+{
+  double computing, writing; // with reading; with drawing
+};
+
 // One line: what was found in how many seconds, or why nothing was, and where it was written.
 std::string summary(const Programs::Output_options& output, const Programs::Animation& animation,
-                    const Method_options& method, const Detection& detection, double seconds);
+                    const Method_options& method, const Detection& detection, const Durations& seconds);
 
 // What the JSON file tells besides the features: all that is needed to find the same ones again.
 CGAL::Animated_mesh_features::IO::Result_description result_description(const Programs::Reading_options& reading,

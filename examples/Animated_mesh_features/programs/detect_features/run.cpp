@@ -8,6 +8,8 @@
 
 #include "detect_features/check_scales.h"
 #include "detect_features/detect.h"
+#include "detect_features/detection_notices.h"
+#include "detect_features/feature_table.h"
 #include "detect_features/report.h"
 #include "options/Names.h"
 #include "output/Html_file.h"
@@ -25,6 +27,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <iostream>
 #include <optional>
 #include <string>
 #include <utility>
@@ -94,7 +97,11 @@ void run(const Command_line& c)
     files.commit();
   }
   if (c.run.verbose) tell(detection_report(detection) + log.report());
-  if (!c.run.quiet) tell(summary(c.output, animation, c.method, detection, log.total_seconds()));
+  if (c.output.is_table_shown) std::cout << feature_table(detection.features) << std::flush;
+  if (c.run.quiet) return;
+  const double writing = log.seconds("writing");
+  tell(detection_notices(sequence, c.method, detection) +
+       summary(c.output, animation, c.method, detection, {log.total_seconds() - writing, writing}));
 }
 
 } // namespace Detect_features

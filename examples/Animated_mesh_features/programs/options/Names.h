@@ -7,6 +7,8 @@
 #ifndef PROGRAMS_OPTIONS_NAMES_H
 #define PROGRAMS_OPTIONS_NAMES_H
 
+#include "options/suggestion.h"
+
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <string>
@@ -30,16 +32,19 @@ std::string name(Choice choice)
 }
 
 // The choice of a name.
-// throws Option_error, with all that could be chosen, if there is none.
+// throws Option_error, with all that could be chosen and what was probably meant, if there is none.
 template <class Choice>
 Choice chosen(const std::string& option, const std::string& text)
 {
   std::string all;
+  std::vector<std::string> known;
   for (const auto& n : names(Choice())) {
     if (n.first == text) return n.second;
     all += (all.empty() ? "" : ", ") + n.first;
+    known.push_back(n.first);
   }
-  throw CGAL::Animated_mesh_features::Option_error(option + ": there is no \"" + text + "\"; choose among " + all);
+  throw CGAL::Animated_mesh_features::Option_error(option + ": there is no \"" + text + "\"; choose among " + all +
+                                                   suggestion(text, known));
 }
 
 } // namespace Programs

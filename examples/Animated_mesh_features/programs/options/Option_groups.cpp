@@ -6,8 +6,11 @@
 
 #include "options/Option_groups.h"
 
+#include "options/suggestion.h"
+
 #include <boost/program_options.hpp>
 
+#include <algorithm>
 #include <ostream>
 #include <utility>
 
@@ -37,7 +40,8 @@ void check_not_empty(const po::variables_map& given)
 } // namespace
 
 Option_group::Option_group(const std::string& title)
-  : m_description(title, line_length, description_length)
+  : m_title(title)
+  , m_description(title, line_length, description_length)
 {}
 
 void Option_group::add(const std::string& name, const std::string& value_name, const std::string& description, Use use)
@@ -90,6 +94,12 @@ void Option_groups::parse(int argc, const char* const* argv)
                   .run(),
               m_given);
     po::notify(m_given);
+  } catch (const po::unknown_option& e) {
+    std::vector<std::string> known;
+    for (const Option_description& option : described()) known.push_back("--" + option.name);
+    // what is no name begins with one dash, or with two
+    const std::string typed = e.get_option_name(), name = typed.substr((std::min)(typed.find_first_not_of('-'), typed.size()));
+    throw Option_error("there is no option " + typed + suggestion("--" + name, known));
   } catch (const po::error& e) {
     throw Option_error(e.what());
   }
@@ -106,6 +116,19 @@ void Option_groups::use() const
       else if (const auto* const texts = boost::any_cast<std::vector<std::string>>(&value.value()))
         for (const std::string& t : *texts) option.use(Argument("--" + option.name, t));
     }
+}
+
+std::vector<Option_description> Option_groups::described() const
+{
+  std::vector<Option_description> all;
+  for (const Option_group& group : m_groups)
+    for (const auto& option : group.m_description.options()) {
+      const std::string short_name = option->canonical_display_name(po::command_line_style::allow_dash_for_short);
+      const bool has_value = option->semantic()->max_tokens() > 0;
+      all.push_back({group.m_title, option->long_name(), short_name.size() == 2 ? short_name.substr(1) : "",
+                     has_value ? option->semantic()->name() : "", option->description()});
+    }
+  return all;
 }
 
 std::ostream& operator<<(std::ostream& os, const Option_groups& groups)

@@ -21,6 +21,16 @@
 
 namespace Programs {
 
+// An option, as texts about the program tell it.
+struct Option_description
+{
+  std::string group; // its title
+  std::string name;
+  std::string short_name; // a letter; empty if there is none
+  std::string value_name; // empty if it has no value
+  std::string text;
+};
+
 // Options under one title of the help text. Each part of the programs adds its own, together with what becomes of them.
 class Option_group
 {
@@ -48,6 +58,7 @@ private:
     Use use;
   };
 
+  std::string m_title;
   boost::program_options::options_description m_description;
   std::vector<Option> m_options; // that have a value
 };
@@ -73,6 +84,9 @@ public:
   // Uses the arguments that were parsed.
   // throws what their uses throw.
   void use() const;
+
+  // All options, in the order of the help text.
+  std::vector<Option_description> described() const;
 
   // The options, for the help text.
   friend std::ostream& operator<<(std::ostream& os, const Option_groups& groups);

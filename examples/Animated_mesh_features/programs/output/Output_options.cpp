@@ -8,6 +8,7 @@
 
 #include "options/Option_groups.h"
 #include "output/add_picture_options.h"
+#include "running/is_terminal.h"
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
@@ -55,8 +56,8 @@ void add_result_options(Option_group& group, Output_options& o)
   group.add_repeatable(
       "output,o", "FILE",
       "where to write the features, repeatable: .json, .csv or .ply by its ending; json:FILE, csv:FILE or "
-      "ply:FILE whatever its name; - for the standard output (default: JSON on the standard output, if no scene is "
-      "written either)",
+      "ply:FILE whatever its name; - for the standard output (default, if no scene is written either: a table of the "
+      "strongest at a terminal, JSON in a pipe or a file)",
       [&](const Argument& a) { o.features.push_back(requested_features(a.text())); });
   group.add_repeatable(
       "write-field", "FIELD:FILE",
@@ -201,7 +202,9 @@ void complete(Output_options& o)
 {
   check_picture_options(o.picture);
   // whoever asks for a scene does not ask for JSON on the standard output
-  if (o.features.empty() && o.scenes.empty()) o.features.push_back({Format::JSON, "-"});
+  if (!o.features.empty() || !o.scenes.empty()) return;
+  o.is_table_shown = is_terminal(stdout);
+  if (!o.is_table_shown) o.features.push_back({Format::JSON, "-"});
 }
 
 } // namespace Programs

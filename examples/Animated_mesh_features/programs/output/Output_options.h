@@ -62,6 +62,7 @@ struct Output_options
   std::vector<Requested_file<Scene_format>> scenes;
   std::size_t html_frame_step = 0; // 0: as the size of the page allows
   Picture_options picture;
+  bool is_table_shown = false; // to somebody at a terminal, who asks for no file
   bool no_sync = false; // do not wait for the disk
 
   // whether the curvature is part of the deformation. Who leaves it out does not want to wait for it: no scene shows it
@@ -86,7 +87,8 @@ struct Output_options
 
 void add_output_options(Option_group& group, Output_options& options);
 
-// To be called when all options are there: whoever asks for no file at all gets JSON on the standard output.
+// To be called when all options are there: whoever asks for no file at all gets JSON on the standard output, or a table if
+// that is a terminal.
 // throws Option_error if options of pictures do not go together.
 void complete(Output_options& options);
 

@@ -7,6 +7,7 @@
 #include "reading/Animation.h"
 
 #include "reading/Model_file.h"
+#include "reading/keep_frames.h"
 
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
 #include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>
@@ -149,6 +150,11 @@ Animation::Animation(const Reading_options& options, const AMF::IO::Memory_choos
                        ? AMF::IO::read_animation<FT>(options.inputs, mesh_reading_options(options), choose_memory)
                        : read_model_file(options, format, choose_memory);
   m_is_sampled = format == Model_format::GLTF || format == Model_format::ASSIMP;
+  m_frames_read = data.frames;
+  m_files = data.sources;
+  m_files.insert(m_files.end(), data.linked_files.begin(), data.linked_files.end());
+  if (!options.rest.file.empty()) m_files.push_back(options.rest.file);
+  if (options.frame_range) keep_frames(*options.frame_range, data);
   if (data.frames < 3)
     throw AMF::Input_error(data.sources.back() + ": the animation has " + std::to_string(data.frames) +
                            " frames; at least 3 are needed, since a feature has a frame before and one after it");
@@ -158,9 +164,6 @@ Animation::Animation(const Reading_options& options, const AMF::IO::Memory_choos
                            " frames in a second; --fps says how many there are");
   m_clip_name = Programs::clip_name(data);
   m_clips = data.clips;
-  m_files = data.sources;
-  m_files.insert(m_files.end(), data.linked_files.begin(), data.linked_files.end());
-  if (!options.rest.file.empty()) m_files.push_back(options.rest.file);
   m_remarks = std::move(data.remarks);
   m_notices = std::move(data.notices);
   add_notice_of_slow_frames(options, m_frames_per_second, data, m_notices);

@@ -37,6 +37,9 @@ public:
   std::size_t number_of_faces() const { return num_faces(m_mesh); }
   double frames_per_second() const { return m_frames_per_second; }
 
+  // also of those that were not asked for
+  std::size_t number_of_frames_read() const { return m_frames_read; }
+
   // names of all clips in the file; empty if it has none
   const std::vector<std::string>& clips() const { return m_clips; }
 
@@ -65,6 +68,7 @@ private:
   Mesh m_mesh;
   std::optional<Sequence> m_sequence; // refers to the mesh
   double m_frames_per_second = 0;
+  std::size_t m_frames_read = 0;
   bool m_is_sampled = false;
   std::vector<std::string> m_clips, m_remarks, m_notices, m_files;
   std::string m_clip_name;

@@ -7,11 +7,14 @@
 #include "reading/Reading_options.h"
 
 #include "options/Option_groups.h"
+#include "options/suggestion.h"
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
+#include <filesystem>
 #include <map>
 #include <string>
+#include <system_error>
 
 namespace AMF = CGAL::Animated_mesh_features;
 using AMF::Option_error;
@@ -19,6 +22,20 @@ using AMF::Option_error;
 namespace Programs {
 
 namespace {
+
+// A word without an ending that is no file was meant as one of the kinds.
+void check_may_be_file(const Argument& argument)
+{
+  const std::filesystem::path path = argument.text();
+  std::error_code ignored;
+  if (path.has_extension() || path.has_parent_path() || std::filesystem::exists(path, ignored)) return;
+  const std::map<std::string, std::string> others = {
+      {"mean", "average"}, {"canonical", "average"}, {"last", "frame:N"}};
+  const auto other = others.find(argument.text());
+  argument.refuse("is neither a file nor mesh, bind, first, frame:N or average" +
+                  (other != others.end() ? "; did you mean " + other->second + "?"
+                                         : suggestion(argument.text(), {"mesh", "bind", "first", "frame:N", "average"})));
+}
 
 void set_rest(const Argument& argument, Rest_choice& rest)
 {
@@ -36,7 +53,25 @@ void set_rest(const Argument& argument, Rest_choice& rest)
       {"first", Rest::FRAME}, {"mesh", Rest::MESH}, {"bind", Rest::BIND}, {"average", Rest::AVERAGE}};
   const auto found = kinds.find(rest.text);
   rest.kind = found == kinds.end() ? Rest::FILE : found->second;
-  if (rest.kind == Rest::FILE) rest.file = rest.text;
+  if (rest.kind == Rest::FILE) {
+    check_may_be_file(argument);
+    rest.file = rest.text;
+  }
+}
+
+void set_frames(const Argument& argument, Reading_options& o)
+{
+  const std::size_t colon = argument.text().find(':');
+  if (colon == std::string::npos) {
+    o.clip_frames = argument.count();
+    return;
+  }
+  Frame_range range;
+  range.text = argument.text();
+  if (colon > 0) range.first = argument.part(0, colon).count();
+  if (colon + 1 < range.text.size()) range.last = argument.part(colon + 1).count();
+  if (range.last && *range.last < range.first) argument.refuse("is empty: the first frame is after the last one");
+  o.frame_range = range;
 }
 
 void add_clip_options(Option_group& group, Reading_options& o)
@@ -46,10 +81,12 @@ void add_clip_options(Option_group& group, Reading_options& o)
             "clips that "
             "play together as A+B (default: the first; --verbose lists them)",
             [&](const Argument& a) { o.clip = a.text(); });
-  group.add("frames", "N",
-            "equidistant frames to make of a clip, from its first to its last key (default: the keys' own rate, their "
-            "commonest step, refined by a whole number where that gives less than 48 frames or 24 in a second)",
-            [&](const Argument& a) { o.clip_frames = a.count(); });
+  group.add_repeatable(
+      "frames", "N|A:B",
+      "N: equidistant frames to make of a clip, from its first to its last key (default: the keys' own rate, their "
+      "commonest step, refined by a whole number where that gives less than 48 frames or 24 in a second). A:B: of "
+      "whatever input, only the frames from A to B, which are counted from 0; either may be left out",
+      [&](const Argument& a) { set_frames(a, o); });
   group.add_switch(
       "there-and-back", o.there_and_back,
       "play the clip to its end and back again: a gesture that is stored one way only grows to its end, and "

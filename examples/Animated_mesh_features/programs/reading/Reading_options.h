@@ -40,6 +40,14 @@ struct Rest_choice
   bool rescale = false;  // scale it so that its edges are as long as those of the frames
 };
 
+// Frames that are taken of an animation, counted from 0.
+struct Frame_range
+{
+  std::string text; // as it was given
+  std::size_t first = 0;
+  std::optional<std::size_t> last; // with it; none: to the end
+};
+
 // What is done with coincident vertices of a mesh.
 enum class Weld
 {
@@ -55,6 +63,7 @@ struct Reading_options
 {
   std::vector<std::string> inputs; // files and folders, as input_help() tells
   std::optional<double> frames_per_second;
+  std::optional<Frame_range> frame_range; // none: all
   bool as_given = false;    // frames are in the order of the inputs
   bool triangulate = false; // cut faces with more than three corners
   bool repair = false;      // mend what is no oriented manifold

@@ -68,7 +68,7 @@ AMF::IO::Result_description animation_description(const Animation& animation)
 
 void add_reading_parameters(AMF::IO::Result_description& d, const Reading_options& o, const Animation& animation)
 {
-  const std::size_t frames = animation.sequence().number_of_frames();
+  const std::size_t frames = animation.number_of_frames_read();
   d.add("inputs", o.inputs);
   d.add("as_given", o.as_given);
   d.add("triangulate", o.triangulate);
@@ -76,6 +76,7 @@ void add_reading_parameters(AMF::IO::Result_description& d, const Reading_option
   d.add("repair", o.repair);
   d.add("skip_bad_frames", o.skip_bad_frames);
   d.add("fps", animation.frames_per_second());
+  add_if(o.frame_range.has_value(), d, "frame_range", o.frame_range.value_or(Frame_range()).text);
   add_if(!animation.clips().empty(), d, "clip", animation.clip_name());
   add_if(animation.is_sampled() && (o.clip_frames || !o.frames_per_second), d, "frames",
          o.there_and_back ? (frames + 1) / 2 : frames);

@@ -6,11 +6,7 @@
 
 #include "running/Progress_bar.h"
 
-#ifdef _WIN32
-  #include <io.h>
-#else
-  #include <unistd.h>
-#endif
+#include "running/is_terminal.h"
 
 #include <cstddef>
 #include <cstdio>
@@ -21,19 +17,10 @@ namespace {
 
 const char* const erase_rest = "\x1b[K"; // ECMA-48: erase to the end of the line
 
-bool stderr_is_terminal()
-{
-#ifdef _WIN32
-  return _isatty(_fileno(stderr)) != 0;
-#else
-  return isatty(fileno(stderr)) != 0;
-#endif
-}
-
 } // namespace
 
 Progress_bar::Progress_bar(bool wanted)
-  : m_is_shown(wanted && stderr_is_terminal())
+  : m_is_shown(wanted && is_terminal(stderr))
 {}
 
 void Progress_bar::show(const std::string& what, double fraction)

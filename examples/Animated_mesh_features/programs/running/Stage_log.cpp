@@ -54,6 +54,13 @@ void Stage_log::end()
   if (!m_open.empty()) m_timer.start();
 }
 
+double Stage_log::seconds(const std::string& name) const
+{
+  for (const Entry& e : m_entries)
+    if (e.name == name) return e.seconds;
+  return 0;
+}
+
 void Stage_log::count_for_innermost()
 {
   m_timer.stop();

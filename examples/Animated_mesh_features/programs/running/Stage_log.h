@@ -35,6 +35,9 @@ public:
   const std::vector<Entry>& entries() const { return m_entries; }
   double total_seconds() const { return m_total.time(); }
 
+  // of a stage; 0 if there was none of that name
+  double seconds(const std::string& name) const;
+
   // a table, for --verbose
   std::string report() const;
 
