@@ -104,7 +104,7 @@ void add_scale_options(Option_group& group, Method_options& o)
             [&](const Argument& a) { o.time_counts = smoothing_counts(a, o.preset); });
   group.add("sigma-range", "MIN:MAX",
             "how large events may be (sigma, the standard deviation of a Gaussian in space), as lengths or % of the "
-            "diameter of the rest shape; either may be left out (default: 1 to 17.5 % of it). Preset calibrated only",
+            "diameter of the rest shape; either may be left out (default: 0.7 to 17.5 % of it). Preset calibrated only",
             [&](const Argument& a) { o.sigma = Programs::range(a, Programs::length); });
   group.add("tau-range", "MIN:MAX",
             "how long events may last (tau, the standard deviation in time), in seconds; either may be left out "

@@ -47,7 +47,9 @@ struct Fixed_ratio_sampling
   /// another frame rate are found again more often, by up to 8 % of the strongest 50, than at \f$\sqrt2\f$.
   double tau_ratio = std::cbrt(2.);
 
-  /// the range of \f$\sigma\f$ (length); by default 1 % to 17.5 % of the diameter of the rest shape.
+  /// the range of \f$\sigma\f$ (length); by default 0.7 % to 17.5 % of the diameter of the rest shape. From 1 % on, 0.61
+  /// of the events of 60 walking, running, waving... bodies are found, from 0.7 % on 0.68 (and 0.80 and 0.77 of the
+  /// features are at events): wrists and ankles are small.
   Scale_range sigma;
 
   /// the range of \f$\tau\f$ (seconds); by default from one frame to a third of the duration: a gesture that is held
@@ -80,7 +82,7 @@ struct Fixed_ratio_sampling
                           const TemporalFilter&) const
   {
     const double duration = double(number_of_frames) * frame_duration;
-    const Scale_range s = completed(sigma, 0.01 * shape.diameter(), 0.175 * shape.diameter());
+    const Scale_range s = completed(sigma, 0.007 * shape.diameter(), 0.175 * shape.diameter());
     const Scale_range t = completed(tau, frame_duration, (std::max)(duration / 3, frame_duration));
     check_largest(s, "sigma", shape.diameter(), "diameter of the rest shape");
     check_largest(t, "tau", duration, "duration of the animation");
