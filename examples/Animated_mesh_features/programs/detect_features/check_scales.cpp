@@ -104,11 +104,17 @@ std::string counts_notice(const Sequence& sequence, const Method_options& o)
   return os.str();
 }
 
+bool is_smallest_resolved(const AMF::Rest_shape& shape, const Method_options& o, double sigma)
+{
+  return o.preset == Preset::CALIBRATED &&
+         sigma < AMF::Fixed_ratio_sampling().sigma_ratio * smallest_resolved_sigma(shape, o) * (1 + 1e-9);
+}
+
 bool is_limited_by_mesh(const AMF::Rest_shape& shape, const Method_options& o, double smallest_sigma)
 {
   const double coarse = 0.05; // of the diagonal: ten edges for a limb
-  return o.preset == Preset::CALIBRATED && shape.mean_edge_length() > coarse * shape.bounding_box_diagonal() &&
-         smallest_sigma < AMF::Fixed_ratio_sampling().sigma_ratio * smallest_resolved_sigma(shape, o) * (1 + 1e-9);
+  return shape.mean_edge_length() > coarse * shape.bounding_box_diagonal() &&
+         is_smallest_resolved(shape, o, smallest_sigma);
 }
 
 std::string coarse_mesh(const AMF::Rest_shape& shape, const Method_options& o)

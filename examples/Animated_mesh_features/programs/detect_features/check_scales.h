@@ -25,6 +25,9 @@ void check_scales(const Programs::Sequence& sequence, const Method_options& opti
 // One line, or nothing: there are so many smoothing counts that they take long.
 std::string counts_notice(const Programs::Sequence& sequence, const Method_options& options);
 
+// Whether the mesh resolves no level below that sigma.
+bool is_smallest_resolved(const CGAL::Animated_mesh_features::Rest_shape& shape, const Method_options& options, double sigma);
+
 // Whether edges are so large a part of the surface that the smallest sigma at which features are found is the one that the
 // mesh resolves.
 bool is_limited_by_mesh(const CGAL::Animated_mesh_features::Rest_shape& shape, const Method_options& options,

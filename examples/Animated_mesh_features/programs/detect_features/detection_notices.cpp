@@ -45,9 +45,9 @@ std::string limits_notice(const Programs::Sequence& sequence, const Method_optio
   const Searched_scales& s = d.scales;
   const double sigma[] = {s.sigma_levels[s.levels_below], s.sigma_levels[s.sigma_levels.size() - 1 - s.levels_above]};
   const double tau[] = {s.tau_levels[s.levels_below], s.tau_levels[s.tau_levels.size() - 1 - s.levels_above]};
-  const bool is_coarse = is_limited_by_mesh(sequence.rest_shape(), o, sigma[0]);
+  const bool is_resolved = !is_smallest_resolved(sequence.rest_shape(), o, sigma[0]);
   std::array<Limit, 4> limits = {
-      {{"smallest sigma", sigma[0], "", is_coarse ? "subdivide the mesh" : "--sigma-range takes smaller ones"},
+      {{"smallest sigma", sigma[0], "", is_resolved ? "--sigma-range takes smaller ones" : "a finer mesh would resolve them"},
        {"largest sigma", sigma[1], "", "--sigma-range takes larger ones"},
        {"shortest tau", tau[0], " s", "more frames in a second would resolve them"},
        {"longest tau", tau[1], " s", "--tau-range takes longer ones"}}};

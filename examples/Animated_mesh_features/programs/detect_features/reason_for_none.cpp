@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <sstream>
 
+namespace AMF = CGAL::Animated_mesh_features;
+
 using Programs::counted;
 using Programs::Sequence;
 
