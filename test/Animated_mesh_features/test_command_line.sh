@@ -150,7 +150,7 @@ elif command == "table":  # program and its arguments, to somebody at a terminal
 elif command == "scaled":  # base, factor, output: the first frame
     n, f, frames = read_pc2(arguments[0])
     write_obj(arguments[2], [float(arguments[1]) * x for x in frames[0]], faces(arguments[0]))
-elif command == "cut":  # input, first frame, last frame, output: a cache of these frames
+elif command == "part":  # input, first frame, last frame, output: a cache of these frames
     data = open(arguments[0], "rb").read()
     first, last, n = int(arguments[1]), int(arguments[2]), struct.unpack("<i", data[16:20])[0]
     with open(arguments[3], "wb") as file:
@@ -396,10 +396,10 @@ check 'p(base)["rest"] == "mesh" and p(base)["rest_factor"] == 1 and p(base)["re
 expect 0 "against the mesh c.obj (given with the frames), computed in" c.obj c.pc2 --fps 10 -o x.json
 # some of the frames: the same as of an animation that has no others
 find_features --frames 2:13
-python3 tool.py cut c.pc2 2 13 cut.pc2
+python3 tool.py part c.pc2 2 13 part.pc2
 mv x.json part.json
 expect 0 "note: frames 2 to 13 of 16; frames and times count from the first of them" c.obj c.pc2 --frames 2:13 --fps 10 -o x.json
-expect 0 "" c.obj cut.pc2 --fps 10 -o x.json
+expect 0 "" c.obj part.pc2 --fps 10 -o x.json
 check "part['features'] == x['features'] and part['animation']['frames'] == 12 and p(part)['frame_range'] == '2:13'"
 rm x.json
 usage "there is no such frame; frames are 0 to 15" c.obj c.pc2 --frames 2:16 -o x.json
