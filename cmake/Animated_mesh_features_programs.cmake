@@ -27,7 +27,7 @@ function(animated_mesh_features_set_up target)
       target_compile_options(${target} PRIVATE -fno-sanitize=bool)
       if(ANIMATED_MESH_FEATURES_SANITIZE MATCHES "address")
         # What is read or written out of place is found by the sanitizer of addresses; checks of every pointer before that
-        # take more than half of the time that it takes to compile. (The fuzz targets have them.)
+        # take more than half of the time that it takes to compile.
         target_compile_options(${target} PRIVATE -fno-sanitize=null,object-size,pointer-overflow)
       endif()
     endif()
