@@ -19,15 +19,17 @@
 
 namespace Static_detectors {
 
-// I. Sipiran, B. Bustos, Harris 3D: a robust extension of the Harris operator for interest point detection on 3D meshes,
-// 2011. The neighbourhood of a vertex are as many rings as it takes until one has a vertex farther than 1 % of the diagonal,
-// two at least. Its points, seen from the vertex and turned so that their direction of least variance is z, are fitted by
+// I. Sipiran, B. Bustos, Harris 3D: a robust extension of the Harris operator for interest point detection on 3D
+// meshes, 2011. The neighbourhood of a vertex are as many rings as it takes until one has a vertex farther than 1 %
+// of the diagonal, two at least. Its points, seen from the vertex and turned so that their direction of least
+// variance is z, are fitted by
 //   z = p1 / 2 x^2 + p2 x y + p3 / 2 y^2 + p4 x + p5 y + p6.
-// The derivatives, f_x = p1 x + p2 y + p4 and f_y = p2 x + p3 y + p5, are integrated with a Gaussian of variance s^2 to
+// The derivatives, f_x = p1 x + p2 y + p4 and f_y = p2 x + p3 y + p5, are integrated with a Gaussian of variance s^2
+// to
 //   E = [A C; C B],  A = p4^2 + s^2 (p1^2 + p2^2),  B = p5^2 + s^2 (p2^2 + p3^2),  C = p4 p5 + s^2 p2 (p1 + p3),
-// and the response is det E - .04 (trace E)^2. The paper has s^2 = 2 in the unit of the mesh; here the unit is the radius of
-// the neighbourhood, so that the response has none. Interest points are local maxima over the one-ring, the strongest 1 % of
-// the number of vertices. sigma: the radius that was asked for, 1 % of the diagonal.
+// and the response is det E - .04 (trace E)^2. The paper has s^2 = 2 in the unit of the mesh; here the unit is the
+// radius of the neighbourhood, so that the response has none. Interest points are local maxima over the one-ring, the
+// strongest 1 % of the number of vertices. sigma: the radius that was asked for, 1 % of the diagonal.
 class Harris_3d : public Static_detector
 {
 public:

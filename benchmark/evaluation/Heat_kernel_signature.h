@@ -23,15 +23,16 @@
 
 namespace Static_detectors {
 
-// J. Sun, M. Ovsjanikov, L. Guibas, A concise and provably informative multi-scale signature based on heat diffusion, 2009:
-// the heat that stays at a vertex,
+// J. Sun, M. Ovsjanikov, L. Guibas, A concise and provably informative multi-scale signature based on heat diffusion,
+// 2009: the heat that stays at a vertex,
 //   h_t(v) = sum_i exp(-lambda_i t) phi_i(v)^2,
-// with the eigenvalues and eigenfunctions of the Laplacian (cotangents, lumped masses). Interest points are maxima over two
-// rings at a large t: the first at which 50 eigenvalues suffice, t = 4 ln 10 / lambda_50 of the rest shape, so that the
-// fiftieth adds 1e-4 of itself. The value is 4 pi t h_t, without unit, 1 in a plane; sigma = sqrt(2 t).
+// with the eigenvalues and eigenfunctions of the Laplacian (cotangents, lumped masses). Interest points are maxima
+// over two rings at a large t: the first at which 50 eigenvalues suffice, t = 4 ln 10 / lambda_50 of the rest shape,
+// so that the fiftieth adds 1e-4 of itself. The value is 4 pi t h_t, without unit, 1 in a plane; sigma = sqrt(2 t).
 //
-// Eigenfunctions are found by subspace iteration with the inverse of L + M / area: from scratch for the rest shape, from
-// those of the rest shape for a frame. What has not converged when it ends are the last ones, which hardly count.
+// Eigenfunctions are found by subspace iteration with the inverse of L + M / area: from scratch for the rest shape,
+// from those of the rest shape for a frame. What has not converged when it ends are the last ones, which hardly
+// count.
 class Heat_kernel_signature : public Static_detector
 {
 public:
@@ -68,7 +69,8 @@ public:
       }
     }
     for (std::size_t v = 0; v < s.size(); ++v)
-      if (is_maximum(s, response.values, v, 2)) response.points.push_back({v, std::sqrt(2 * m_time), response.values[v]});
+      if (is_maximum(s, response.values, v, 2))
+        response.points.push_back({v, std::sqrt(2 * m_time), response.values[v]});
     return response;
   }
 
@@ -77,7 +79,7 @@ private:
 
   struct Eigenpairs
   {
-    Eigen::VectorXd values; // ascending
+    Eigen::VectorXd values;    // ascending
     Eigen::MatrixXd functions; // columns of length 1 in the sense of the masses
   };
 

@@ -18,14 +18,15 @@
 namespace Static_detectors {
 
 // A. Zaharescu, E. Boyer, K. Varanasi, R. Horaud, Surface feature detection and description with applications to mesh
-// matching, 2009: MeshDOG, on mean curvature. f_0 = H is smoothed again and again, f_k = f_(k-1) * g_k, by averages over a
-// vertex and its one-ring with weights exp(-d^2 / (2 s_k^2)) of the distance d; s_k = 2^(ceil(k / c) / (c - 2)) mean edges
-// with c = 6 steps in an octave and 3 octaves. Interest points are the extrema of f_k - f_(k-1) over the one-ring and both
-// neighbouring steps, no edges (of the Hessian, from a quadratic over two rings, trace^2 / det < (r + 1)^2 / r, r = 10, as for
-// images), the strongest 5 % of the number of vertices. The value of a vertex is its greatest |f_k - f_(k-1)|.
+// matching, 2009: MeshDOG, on mean curvature. f_0 = H is smoothed again and again, f_k = f_(k-1) * g_k, by averages
+// over a vertex and its one-ring with weights exp(-d^2 / (2 s_k^2)) of the distance d; s_k = 2^(ceil(k / c) / (c -
+// 2)) mean edges with c = 6 steps in an octave and 3 octaves. Interest points are the extrema of f_k - f_(k-1) over
+// the one-ring and both neighbouring steps, no edges (of the Hessian, from a quadratic over two rings, trace^2 / det
+// < (r + 1)^2 / r, r = 10, as for images), the strongest 5 % of the number of vertices. The value of a vertex is its
+// greatest |f_k - f_(k-1)|.
 //
-// sigma: the standard deviation after as many steps, from the variance per axis that each adds in the mean over all vertices,
-// half of the weighted mean of d^2.
+// sigma: the standard deviation after as many steps, from the variance per axis that each adds in the mean over all
+// vertices, half of the weighted mean of d^2.
 class Mesh_dog : public Static_detector
 {
 public:
@@ -103,7 +104,8 @@ private:
     return true;
   }
 
-  static bool is_edge(const Surface& s, const Point& normal, const std::vector<double>& values, double unit, std::size_t v)
+  static bool is_edge(const Surface& s, const Point& normal, const std::vector<double>& values, double unit,
+                      std::size_t v)
   {
     const double ratio = 10;
     const Point x = normal.unitOrthogonal(), y = normal.cross(x);

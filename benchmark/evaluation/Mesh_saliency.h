@@ -19,13 +19,14 @@
 
 namespace Static_detectors {
 
-// C. H. Lee, A. Varshney, D. W. Jacobs, Mesh saliency, 2005: with the mean curvature H and its Gaussian-weighted average
-// over all vertices x within 2 sigma (straight distance),
+// C. H. Lee, A. Varshney, D. W. Jacobs, Mesh saliency, 2005: with the mean curvature H and its Gaussian-weighted
+// average over all vertices x within 2 sigma (straight distance),
 //   G(v, sigma) = sum H(x) exp(-|x - v|^2 / (2 sigma^2)) / sum exp(-|x - v|^2 / (2 sigma^2)),
-// the saliency at a scale is S_i(v) = |G(v, sigma_i) - G(v, 2 sigma_i)|, sigma_i = 2, 3, 4, 5, 6 times .3 % of the diagonal.
-// Maps are normalised to a maximum of 1, multiplied by (1 - m_i)^2 with the mean m_i of all local maxima but the greatest,
-// and added. Here both normalisations are those of all frames together: frame by frame they would flicker, and strengths of
-// frames could not be compared. Interest points are the local maxima; sigma is that of the scale that adds most.
+// the saliency at a scale is S_i(v) = |G(v, sigma_i) - G(v, 2 sigma_i)|, sigma_i = 2, 3, 4, 5, 6 times .3 % of the
+// diagonal. Maps are normalised to a maximum of 1, multiplied by (1 - m_i)^2 with the mean m_i of all local maxima
+// but the greatest, and added. Here both normalisations are those of all frames together: frame by frame they would
+// flicker, and strengths of frames could not be compared. Interest points are the local maxima; sigma is that of the
+// scale that adds most.
 //
 // Complexity: linear in the number of pairs within 7.2 % of the diagonal.
 class Mesh_saliency : public Static_detector

@@ -17,14 +17,14 @@
 
 namespace Static_detectors {
 
-// T. Darom, Y. Keller, Scale-invariant features for 3-D mesh models, 2012: a scale space of the shape itself. The points are
-// averaged over the one-ring again and again; how far pass k + 1 moves a vertex is a difference of Gaussians of the
-// coordinates. Divided by the variance that a pass adds at this vertex, so that it does not depend on the density of the
-// mesh, and multiplied by the variance so far, so that scales can be compared, it is
+// T. Darom, Y. Keller, Scale-invariant features for 3-D mesh models, 2012: a scale space of the shape itself. The
+// points are averaged over the one-ring again and again; how far pass k + 1 moves a vertex is a difference of
+// Gaussians of the coordinates. Divided by the variance that a pass adds at this vertex, so that it does not depend
+// on the density of the mesh, and multiplied by the variance so far, so that scales can be compared, it is
 //   d_k(v) = k |x_(k+1)(v) - x_k(v)|,   sigma_k(v)^2 = k / 2 mean |x_w - x_v|^2
 // (the mean over the vertex and its one-ring in the frame). Interest points are maxima over the one-ring and the
-// neighbouring scales; the value of a vertex is its greatest d_k. Scales: passes at a ratio of the square root of 2, 256 at
-// most; one-rings are with the vertex itself, since without it points of regular meshes alternate.
+// neighbouring scales; the value of a vertex is its greatest d_k. Scales: passes at a ratio of the square root of 2,
+// 256 at most; one-rings are with the vertex itself, since without it points of regular meshes alternate.
 class One_ring_scale_space : public Static_detector
 {
 public:

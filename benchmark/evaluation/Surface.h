@@ -109,7 +109,8 @@ inline std::vector<std::size_t> rings(const Surface& s, std::size_t v, std::size
 }
 
 // Whether a value is greater than those of all others within so many edges.
-inline bool is_maximum(const Surface& s, const std::vector<double>& values, std::size_t v, std::size_t number_of_rings = 1)
+inline bool is_maximum(const Surface& s, const std::vector<double>& values, std::size_t v,
+                       std::size_t number_of_rings = 1)
 {
   if (s.neighbours(v).empty()) return false;
   if (number_of_rings == 1)

@@ -5,9 +5,9 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Runs the programs on animations whose events are known and on twins of animations, and writes the tables and curves of the
-manual's page Does It Find What It Should. What is there already is not computed again: an interrupted run goes on where it
-was. Called by scripts/evaluate.sh, which tells the options.
+"""Runs the programs on animations whose events are known and on twins of animations, and writes the tables and curves
+of the manual's page Does It Find What It Should. What is there already is not computed again: an interrupted run goes on
+where it was. Called by scripts/evaluate.sh, which tells the options.
 """
 
 import argparse
@@ -78,7 +78,8 @@ class Commands:
             raise Out_of_time
         print(f"{seconds:6.0f} s  {folder.name}: {' '.join(map(str, command[1:]))}"[:150], flush=True)
         command = shlex.split(self.options.run_with) + [str(c) for c in command]
-        done = subprocess.run(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+        done = subprocess.run(command, cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                              check=False)
         self.run += 1
         if done.returncode == self.unusable_input:
             raise Refused(done.stderr)
@@ -87,7 +88,8 @@ class Commands:
 
 
 class Subject:
-    """An animation in a folder of its own: mesh.obj, the shape at rest, frames.pc2, and events.json if they are known."""
+    """An animation in a folder of its own: mesh.obj, the shape at rest, frames.pc2, and events.json if they are
+    known."""
 
     def __init__(self, lab, name, fps=30.):
         self.lab, self.name, self.fps = lab, name, fps
@@ -113,6 +115,9 @@ class Subject:
         twin = Subject(self.lab, f"{self.name}.{name}", fps or self.fps)
         if not (twin.folder / "frames.pc2").exists():
             twin.write(*make(*self.arrays(), *values))
+            if keeps_events:  # the rest shape beside the noise looks like another mesh; the first frame does not
+                _, triangles, frames = twin.arrays()
+                twins.write_obj(twin.folder / "first.obj", frames[0], triangles)
         if keeps_events and self.has_events():
             shutil.copyfile(self.folder / "events.json", twin.folder / "events.json")
         return twin
@@ -122,7 +127,8 @@ class Subject:
         lab = self.lab
         tag = "".join(o for o in options if o[0] != "-").replace(":", "_").replace(".", "").replace("%", "")
         file = self.folder / (detector + ("." + tag if tag else "") + ".json")
-        common = ["mesh.obj", "frames.pc2", "--fps", self.fps, "--rest", "mesh.obj", "--quiet", "-o", file.name]
+        mesh = "first.obj" if (self.folder / "first.obj").exists() else "mesh.obj"
+        common = [mesh, "frames.pc2", "--fps", self.fps, "--rest", "mesh.obj", "--quiet", "-o", file.name]
         if lab.options.threads:
             common += ["--threads", lab.options.threads]
         if detector in PRESETS:
@@ -136,8 +142,8 @@ class Subject:
     def rig(self, file, top=None):
         """Recall and precision, with chance."""
         out = file.with_suffix(f".rig{top or ''}.json").name
-        command = [self.lab.options.programs / "evaluate_features", "rig", file.name, "--events", "events.json", "--rest",
-                   "mesh.obj", "-q", "-o", out]
+        command = [self.lab.options.programs / "evaluate_features", "rig", file.name, "--events", "events.json",
+                   "--rest", "mesh.obj", "-q", "-o", out]
         self.lab.commands(command + (["--top", top] if top else []), [out], self.folder)
         figures = load(self.folder / out)["figures"]["all"]
         return {key: (figures[key]["value"], figures[key]["chance"]) for key in ("recall", "precision")} | {
@@ -225,8 +231,8 @@ class Lab:
 
 
 def write_events(data, body, motion, path):
-    """The data's truth as evaluate_features reads it; the region of a joint: vertices whose weights on it and on what hangs
-    on it sum to between .1 and .9."""
+    """The data's truth as evaluate_features reads it; the region of a joint: vertices whose weights on it and on what
+    hangs on it sum to between .1 and .9."""
     rig = numpy.load(data / "rig.npz")
     truth = load(data / "truth" / f"{body}__{motion}.json")
     names, parents = [str(n) for n in rig["names"]], rig["parent"]
@@ -268,8 +274,10 @@ def rig_table(lab):
 
     def add(name, subjects):
         rigs = [mean_rig([s.rig(s.features(p)) for s in subjects]) for p in PRESETS]
-        rows.append([name, len(subjects), tables.rounded(rigs[0]["events"])] + [
-            cell for r in rigs for cell in (*tables.with_chance(r["recall"], r["precision"]), tables.rounded(r["features"]))])
+        row = [name, len(subjects), tables.rounded(rigs[0]["events"])]
+        for r in rigs:
+            row += (*tables.with_chance(r["recall"], r["precision"]), tables.rounded(r["features"]))
+        rows.append(row)
     add("generated figure", [lab.figure])
     for motion in lab.options.motions.split(","):
         subjects = [s for (_, m), s in lab.bodies.items() if m == motion]
@@ -330,8 +338,9 @@ def own_twins(s, with_sampling=True):
 
 
 def noise_twins(s):
-    return {f"noise of {p} % of the diagonal": (s.twin(f"noise{p}", twins.with_noise, p / 100, keeps_events=True), "same")
-            for p in (.1, .3, 1)}
+    def twin(percent):
+        return s.twin(f"noise{percent}", twins.with_noise, percent / 100, keeps_events=True)
+    return {f"noise of {p} % of the diagonal": (twin(p), "same") for p in (.1, .3, 1)}
 
 
 def horse_twins(lab):
@@ -340,7 +349,8 @@ def horse_twins(lab):
         return None, {}
     own = own_twins(horse)
     of_data = {"half the frame rate": ("-half", "same"), "double frame rate, midpoints": ("-double", "same"),
-               "half the vertices": ("-dec4200", "nearest"), "a third of the vertices on one half": ("-irregular", "nearest"),
+               "half the vertices": ("-dec4200", "nearest"),
+               "a third of the vertices on one half": ("-irregular", "nearest"),
                "four times the triangles": ("-subdiv", "nearest")}
     for name, (twin, vertex_map) in of_data.items():
         if lab.horse(twin):
@@ -413,7 +423,8 @@ def bodies_table(lab):
         row = [motion, len(pairs)]
         per_preset = []
         for p in PRESETS:
-            found = [repeatability(a, b, a.features(p, *LONG_LIST), b.features(p, *LONG_LIST), "same") for a, b in pairs]
+            found = [repeatability(a, b, a.features(p, *LONG_LIST), b.features(p, *LONG_LIST), "same")
+                     for a, b in pairs]
             figures = [tuple(float(numpy.mean([f["one_to_one", k][i] for f in found])) for i in (0, 1))
                        for k in ("place_time", "place_time_scales")]
             row += tables.with_chance(*figures)
@@ -468,10 +479,10 @@ def static_cells(lab, detector, body_clips, half, noisy):
 
 def sheets(lab):
     """Pictures of what is found, to be looked at."""
-    chosen = [lab.figure, lab.horse()] + [lab.bodies.get((b, m)) for b, m in (("child", "kick"), ("woman_slim", "walk"))]
+    chosen = [lab.figure, lab.horse(), lab.bodies.get(("child", "kick")), lab.bodies.get(("woman_slim", "walk"))]
     for s in filter(None, chosen):
-        lab.commands([lab.options.programs / "detect_features", "mesh.obj", "frames.pc2", "--fps", s.fps, "--rest", "mesh.obj",
-                      "--quiet", "-o", "sheet.csv", "--png", "sheet.png"], ["sheet.png"], s.folder)
+        lab.commands([lab.options.programs / "detect_features", "mesh.obj", "frames.pc2", "--fps", s.fps, "--rest",
+                      "mesh.obj", "--quiet", "-o", "sheet.csv", "--png", "sheet.png"], ["sheet.png"], s.folder)
     return {}
 
 

@@ -15,8 +15,8 @@
 
 namespace Static_detectors {
 
-// z = p[0] / 2 x^2 + p[1] x y + p[2] / 2 y^2 + p[3] x + p[4] y + p[5] by least squares; none if the points do not tell.
-// x and y should be of the order of 1.
+// z = p[0] / 2 x^2 + p[1] x y + p[2] / 2 y^2 + p[3] x + p[4] y + p[5] by least squares; none if the points do not
+// tell. x and y should be of the order of 1.
 inline std::optional<Eigen::Matrix<double, 6, 1>> quadratic_fit(const std::vector<Eigen::Vector3d>& points)
 {
   typedef Eigen::Matrix<double, 6, 1> Vector;

@@ -5,8 +5,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Features of detectors of static shapes, as a file that evaluate_features reads: what the package's own detector is
-// compared with. Either the interest points of each frame on its own; or the features that the package's detector finds in
-// what the static one sees, a field over the surface and time.
+// compared with. Either the interest points of each frame on its own; or the features that the package's detector
+// finds in what the static one sees, a field over the surface and time.
 
 #include "Harris_3d.h"
 #include "Heat_kernel_signature.h"
@@ -74,10 +74,11 @@ std::string usage(const Programs::Option_groups& groups)
   std::ostringstream os;
   os << R"(Usage: static_features DETECTOR [options] INPUT... -o FEATURES.json
 
-Finds the interest points of each frame of an animation by a detector of static shapes: mesh saliency (saliency), MeshDOG on
-mean curvature (mesh-dog), Harris 3D (harris), the one-ring scale space of Darom and Keller (one-ring), or maxima of the heat
-kernel signature (hks). tau is the time between two frames. With --as-field, what the detector sees at each vertex and frame,
-minus the least at each vertex, is the field in which features are found as detect_features finds them in the deformation.
+Finds the interest points of each frame of an animation by a detector of static shapes: mesh saliency (saliency),
+MeshDOG on mean curvature (mesh-dog), Harris 3D (harris), the one-ring scale space of Darom and Keller (one-ring), or
+maxima of the heat kernel signature (hks). tau is the time between two frames. With --as-field, what the detector sees
+at each vertex and frame, minus the least at each vertex, is the field in which features are found as detect_features
+finds them in the deformation.
 
 )" << Programs::input_help()
      << groups;
@@ -126,7 +127,8 @@ std::vector<AMF::Feature_point> points_of_frames(const std::vector<Static_respon
       feature.response = -p.strength;
       features.push_back(feature);
     }
-  std::stable_sort(features.begin(), features.end(), [](const auto& a, const auto& b) { return a.strength > b.strength; });
+  std::stable_sort(features.begin(), features.end(),
+                   [](const auto& a, const auto& b) { return a.strength > b.strength; });
   return features;
 }
 
@@ -157,7 +159,8 @@ void run(const Options& o)
   if (!o.quiet) Programs::tell(Programs::reading_notices(o.reading, animation));
   const Programs::Interruption interruption;
   std::vector<Triangle> triangles;
-  for (const AMF::Rest_shape::Triangle& t : sequence.rest_shape().triangles()) triangles.push_back({{t[0], t[1], t[2]}});
+  for (const AMF::Rest_shape::Triangle& t : sequence.rest_shape().triangles())
+    triangles.push_back({{t[0], t[1], t[2]}});
   const Connectivity connectivity(sequence.rest_shape().number_of_vertices(), std::move(triangles));
 
   const std::vector<Static_response> seen = responses(*detector, sequence, connectivity);
@@ -193,7 +196,8 @@ int main(int argc, char* argv[])
     group.add_switch("as-field", o.as_field, "find features in what the detector sees, in place of its own points");
     group.add("relative-threshold", "T", "with --as-field: the least strength, of the strongest (default: 0.02)",
               [&](const Argument& a) { o.threshold = a.non_negative_number(); });
-    group.add("threads", "N", "at most that many threads (default: all)", [&](const Argument& a) { o.threads = a.count(); });
+    group.add("threads", "N", "at most that many threads (default: all)",
+              [&](const Argument& a) { o.threads = a.count(); });
     group.add_switch("quiet,q", o.quiet, "say nothing");
     group.add_switch("help,h", o.help, "show this text");
     groups.add_positional("inputs", arguments, -1);

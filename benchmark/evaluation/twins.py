@@ -4,8 +4,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Twins of an animation: the same motion, sampled otherwise. A mesh is an array of points and one of triangles, its frames
-an array of frames x vertices x 3, as OBJ and PC2 hold them. Deterministic; needs numpy."""
+"""Twins of an animation: the same motion, sampled otherwise. A mesh is an array of points and one of triangles, its
+frames an array of frames x vertices x 3, as OBJ and PC2 hold them. Deterministic; needs numpy."""
 
 import heapq
 import struct
@@ -98,8 +98,8 @@ def subdivided(rest, triangles, frames):
 
 
 class Decimation:
-    """Half-edge collapses, the shortest edge first: what is left are vertices of the mesh, so that the motion is exact. A
-    collapse must keep the surface a manifold and turn no triangle round; vertices at borders stay."""
+    """Half-edge collapses, the shortest edge first: what is left are vertices of the mesh, so that the motion is exact.
+    A collapse must keep the surface a manifold and turn no triangle round; vertices at borders stay."""
 
     def __init__(self, points, triangles):
         self.points = points
