@@ -72,9 +72,10 @@ if [ -z "$programs" ]; then
   configure "$folder" -DCMAKE_BUILD_TYPE=Release -DANIMATED_MESH_FEATURES_BUILD_BENCHMARKS=ON \
     -DANIMATED_MESH_FEATURES_BUILD_TESTS=OFF -DANIMATED_MESH_FEATURES_BUILD_EXAMPLES=OFF
   cmake --build "$folder" --parallel "$(job_count)" \
-    --target detect_features evaluate_features make_animation static_features
+    --target detect_features evaluate_features make_animation static_features test_static_detectors
   programs="$folder/examples/Animated_mesh_features/programs"
   static="$folder/benchmark/evaluation/static_features"
+  "$folder/benchmark/evaluation/test_static_detectors"
 else
   static="$programs/static_features"
 fi

@@ -56,7 +56,7 @@ struct Surface
 // Areas, normals and mean curvatures of vertices.
 struct Vertex_measures
 {
-  std::vector<double> areas;          // a third of the triangles around
+  std::vector<double> areas;          // what is nearest to the vertex
   std::vector<Point> normals;         // of length 1, or 0 where there are no triangles
   std::vector<double> mean_curvature; // half of the sum of the principal ones, positive where convex; 0 without area
 };
@@ -69,7 +69,19 @@ inline double cotangent(const Point& a, const Point& b, const Point& c)
   return cosine / sine;
 }
 
-// Mean curvature by the cotangent Laplacian of the points, (Delta x) = -2 H n.
+// The part of a triangle that is nearest to its corner i, with the circumcentre as its end; of an obtuse triangle half if
+// the angle at i is the obtuse one, else a quarter.
+inline double corner_area(const Surface& s, const Triangle& t, int i)
+{
+  const Point &p = s.points[t[i]], &a = s.points[t[(i + 1) % 3]], &b = s.points[t[(i + 2) % 3]];
+  const double area = (a - p).cross(b - p).norm() / 2;
+  if ((a - p).dot(b - p) < 0) return area / 2;
+  if ((p - a).dot(b - a) < 0 || (p - b).dot(a - b) < 0) return area / 4;
+  return ((a - p).squaredNorm() * cotangent(b, p, a) + (b - p).squaredNorm() * cotangent(a, p, b)) / 8;
+}
+
+// Mean curvature by the cotangent Laplacian of the points, (Delta x) = -2 H n, over these areas (M. Meyer, M. Desbrun,
+// P. Schroeder, A. H. Barr, Discrete differential-geometry operators for triangulated 2-manifolds, 2003).
 inline Vertex_measures vertex_measures(const Surface& s)
 {
   const std::size_t n = s.size();
@@ -79,7 +91,7 @@ inline Vertex_measures vertex_measures(const Surface& s)
     const Point normal = (s.points[t[1]] - s.points[t[0]]).cross(s.points[t[2]] - s.points[t[0]]) / 2;
     for (int i = 0; i < 3; ++i) {
       const std::size_t a = t[(i + 1) % 3], b = t[(i + 2) % 3];
-      m.areas[t[i]] += normal.norm() / 3;
+      m.areas[t[i]] += corner_area(s, t, i);
       m.normals[t[i]] += normal;
       const Point flow = cotangent(s.points[t[i]], s.points[a], s.points[b]) / 2 * (s.points[b] - s.points[a]);
       laplacian[a] += flow;
