@@ -447,8 +447,9 @@ def static_table(lab):
     noisy = noise_twins(lab.figure)["noise of 0.1 % of the diagonal"]
     body_clips = [s for (b, m), s in lab.bodies.items() if m in lab.options.static_motions.split(",")]
     rows = []
-    detectors = [(p, f"`{p}`") for p in PRESETS] + [(d, f"{t}, each frame") for d, t in STATIC.items()] + [
-        (d + "+field", f"{t}, as a field") for d, t in STATIC.items()]
+    detectors = [(p, f"`{p}`") for p in PRESETS]
+    for d, t in STATIC.items():
+        detectors += [(d, f"{t}, each frame"), (d + "+field", f"{t}, as a field")]
     for detector, title in detectors:
         try:
             rows.append([title] + static_cells(lab, detector, body_clips, half, noisy))

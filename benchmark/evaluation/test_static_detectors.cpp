@@ -75,7 +75,7 @@ void test_bump()
   std::size_t top = 0;
   const Shape shape = bump(top);
   const Connectivity connectivity = connectivity_of(shape);
-  const double diagonal = 8; // a large body
+  const double diagonal = 4;
   struct Case
   {
     std::unique_ptr<Static_detector> detector;
