@@ -37,7 +37,7 @@ def markdown(head, rows):
 def put_into(page, key, text):
     """Replaces what is between <!-- table KEY --> and <!-- end --> in a page."""
     content = page.read_text(encoding="utf-8")
-    pattern = re.compile(rf"(<!-- table {re.escape(key)} -->\n).*?(\n<!-- end -->)", re.DOTALL)
+    pattern = re.compile(rf"(<!-- table {re.escape(key)} -->\n).*?(<!-- end -->)", re.DOTALL)
     if not pattern.search(content):
         raise ValueError(f"{page}: has no table \"{key}\"")
-    page.write_text(pattern.sub(lambda m: m.group(1) + "\n" + text + m.group(2), content), encoding="utf-8")
+    page.write_text(pattern.sub(lambda m: m.group(1) + "\n" + text + "\n" + m.group(2), content), encoding="utf-8")
