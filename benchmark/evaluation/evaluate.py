@@ -172,6 +172,7 @@ class Lab:
     def __init__(self, options):
         self.options = options
         self.commands = Commands(options)
+        self.is_complete = True  # no rows are missing
 
     @functools.cached_property
     def figure(self):
@@ -458,6 +459,7 @@ def static_table(lab):
         try:
             rows.append([title] + static_cells(lab, detector, body_clips, half, noisy))
         except Out_of_time:
+            lab.is_complete = False
             break
     head = ["detector", "figure: recall", "precision", "bodies: recall", "precision",
             "half the vertices: found again", "chance", "noise of .1 %: found again", "chance"]
@@ -509,7 +511,10 @@ def main():
                 print(f"\n{key}\n{text}", flush=True)
                 if options.page:
                     tables.put_into(options.page, key, text)
+            if not lab.is_complete:
+                raise Out_of_time
         except Out_of_time:
+            lab.is_complete = True
             incomplete.append(part)
     seconds = time.monotonic() - lab.commands.started
     print(f"{lab.commands.run} commands in {seconds:.0f} s")
