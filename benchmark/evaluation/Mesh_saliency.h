@@ -43,11 +43,12 @@ public:
       std::array<double, largest + 1> sum = {}, weights = {}; // by sigma in units
       grid.for_each_near(s.points[v], [&](std::size_t x) {
         const double square = (s.points[x] - s.points[v]).squaredNorm() / (unit * unit);
+        if (square >= 4. * largest * largest) return;
+        const std::array<double, largest + 1> gaussians = gaussians_of(square);
         for (int sigma : sigmas) {
           if (square >= 4. * sigma * sigma) continue;
-          const double weight = std::exp(-square / (2. * sigma * sigma));
-          weights[sigma] += weight;
-          sum[sigma] += weight * curvature[x];
+          weights[sigma] += gaussians[sigma];
+          sum[sigma] += gaussians[sigma] * curvature[x];
         }
       });
       const auto average = [&](int sigma) { return sum[sigma] / weights[sigma]; };
@@ -80,6 +81,17 @@ private:
   static constexpr std::array<int, 5> factors = {{2, 3, 4, 5, 6}};
   static constexpr std::array<int, 8> sigmas = {{2, 3, 4, 5, 6, 8, 10, 12}}; // these and twice these
   static constexpr int largest = 12;
+
+  // exp(-square / (2 sigma^2)) for each sigma: the Gaussian of half the sigma is the fourth power.
+  static std::array<double, largest + 1> gaussians_of(double square)
+  {
+    std::array<double, largest + 1> g = {};
+    const auto fourth = [](double x) { return x * x * x * x; };
+    for (int sigma : {8, 10, 12}) g[sigma] = std::exp(-square / (2. * sigma * sigma));
+    for (int sigma : {4, 5, 6}) g[sigma] = fourth(g[2 * sigma]);
+    for (int sigma : {2, 3}) g[sigma] = fourth(g[2 * sigma]);
+    return g;
+  }
 
   // Cubic cells of the edge length `reach`; points that are near are in the 27 around.
   class Grid

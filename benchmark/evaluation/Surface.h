@@ -69,8 +69,8 @@ inline double cotangent(const Point& a, const Point& b, const Point& c)
   return cosine / sine;
 }
 
-// The part of a triangle that is nearest to its corner i, with the circumcentre as its end; of an obtuse triangle half if
-// the angle at i is the obtuse one, else a quarter.
+// The part of a triangle that is nearest to its corner i, with the circumcentre as its end; of an obtuse triangle
+// half if the angle at i is the obtuse one, else a quarter.
 inline double corner_area(const Surface& s, const Triangle& t, int i)
 {
   const Point &p = s.points[t[i]], &a = s.points[t[(i + 1) % 3]], &b = s.points[t[(i + 2) % 3]];
@@ -80,8 +80,8 @@ inline double corner_area(const Surface& s, const Triangle& t, int i)
   return ((a - p).squaredNorm() * cotangent(b, p, a) + (b - p).squaredNorm() * cotangent(a, p, b)) / 8;
 }
 
-// Mean curvature by the cotangent Laplacian of the points, (Delta x) = -2 H n, over these areas (M. Meyer, M. Desbrun,
-// P. Schroeder, A. H. Barr, Discrete differential-geometry operators for triangulated 2-manifolds, 2003).
+// Mean curvature by the cotangent Laplacian of the points, (Delta x) = -2 H n, over these areas (M. Meyer, M.
+// Desbrun, P. Schroeder, A. H. Barr, Discrete differential-geometry operators for triangulated 2-manifolds, 2003).
 inline Vertex_measures vertex_measures(const Surface& s)
 {
   const std::size_t n = s.size();

@@ -6,8 +6,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 """Runs the programs on animations whose events are known and on twins of animations, and writes the tables and curves
-of the manual's page Does It Find What It Should. What is there already is not computed again: an interrupted run goes on
-where it was. Called by scripts/evaluate.sh, which tells the options.
+of the manual's page Does It Find What It Should. What is there already is not computed again: an interrupted run goes
+on where it was. Called by scripts/evaluate.sh, which tells the options.
 """
 
 import argparse
@@ -44,7 +44,8 @@ def arguments():
     parser.add_argument("--bodies", default=",".join(BODIES), help="which of the data's bodies")
     parser.add_argument("--motions", default=",".join(MOTIONS), help="which of their motions")
     parser.add_argument("--parts", default=",".join(PARTS), help="which tables")
-    parser.add_argument("--static-motions", default="walk,kick,squat", help="motions for the static detectors")
+    parser.add_argument("--static-clips", default="child.kick,woman_slim.walk,man_muscular.squat",
+                        help="the data's clips for static detectors, if they are among the chosen ones")
     parser.add_argument("--run-with", default="", help="what every command is run with, such as nice")
     parser.add_argument("--threads", type=int, default=0, help="threads of each command; 0: all")
     parser.add_argument("--quick", action="store_true", help="the figure alone, of a quarter of the vertices")
@@ -128,15 +129,18 @@ class Subject:
         tag = "".join(o for o in options if o[0] != "-").replace(":", "_").replace(".", "").replace("%", "")
         file = self.folder / (detector + ("." + tag if tag else "") + ".json")
         mesh = "first.obj" if (self.folder / "first.obj").exists() else "mesh.obj"
-        common = [mesh, "frames.pc2", "--fps", self.fps, "--rest", "mesh.obj", "--quiet", "-o", file.name]
+        common = [mesh, "frames.pc2", "--fps", self.fps, "--rest", "mesh.obj", "--quiet"]
         if lab.options.threads:
             common += ["--threads", lab.options.threads]
         if detector in PRESETS:
-            command = [lab.options.programs / "detect_features", *common, "--preset", detector]
-        else:
-            name, _, field = detector.partition("+")
-            command = [lab.options.static, name, *common] + (["--as-field"] if field else [])
-        lab.commands([*command, *options], [file.name], self.folder)
+            command = [lab.options.programs / "detect_features", *common, "-o", file.name, "--preset", detector,
+                       *options]
+            lab.commands(command, [file.name], self.folder)
+        else:  # both at once
+            name = detector.partition("+")[0]
+            files = [f"{name}.json", f"{name}+field.json"]
+            command = [lab.options.static, name, *common, "--points", files[0], "--field", files[1]]
+            lab.commands(command, files, self.folder)
         return file
 
     def rig(self, file, top=None):
@@ -450,7 +454,7 @@ def static_table(lab):
     n = 2300 if lab.options.quick else 9000
     half = lab.other_figure("half", vertices=n // 2), "nearest"
     noisy = noise_twins(lab.figure)["noise of 0.1 % of the diagonal"]
-    body_clips = [s for (b, m), s in lab.bodies.items() if m in lab.options.static_motions.split(",")]
+    body_clips = [s for s in lab.bodies.values() if s.name in lab.options.static_clips.split(",")]
     rows = []
     detectors = [(p, f"`{p}`") for p in PRESETS]
     for d, t in STATIC.items():

@@ -51,8 +51,8 @@ namespace {
 struct Options
 {
   Programs::Reading_options reading;
-  std::string detector, output = "-";
-  bool as_field = false, quiet = false, help = false;
+  std::string detector, points, of_field; // files; empty: none
+  bool quiet = false, help = false;
   double threshold = 0.02;
   std::size_t threads = 0;
 };
@@ -72,13 +72,13 @@ std::unique_ptr<Static_detector> static_detector(const std::string& name)
 std::string usage(const Programs::Option_groups& groups)
 {
   std::ostringstream os;
-  os << R"(Usage: static_features DETECTOR [options] INPUT... -o FEATURES.json
+  os << R"(Usage: static_features DETECTOR [options] INPUT... [--points FEATURES.json] [--field FEATURES.json]
 
 Finds the interest points of each frame of an animation by a detector of static shapes: mesh saliency (saliency),
 MeshDOG on mean curvature (mesh-dog), Harris 3D (harris), the one-ring scale space of Darom and Keller (one-ring), or
-maxima of the heat kernel signature (hks). tau is the time between two frames. With --as-field, what the detector sees
-at each vertex and frame, minus the least at each vertex, is the field in which features are found as detect_features
-finds them in the deformation.
+maxima of the heat kernel signature (hks); tau is the time between two frames (--points). Or takes what the detector
+sees at each vertex and frame, minus the least at each vertex, as the field in which features are found as
+detect_features finds them in the deformation (--field).
 
 )" << Programs::input_help()
      << groups;
@@ -149,13 +149,34 @@ std::vector<AMF::Feature_point> features_of_field(const std::vector<Static_respo
   return features;
 }
 
+void write(const std::string& path, const std::vector<AMF::Feature_point>& features, bool is_of_field, const Options& o,
+           const Programs::Animation& animation)
+{
+  AMF::IO::Result_description description = Programs::animation_description(animation);
+  description.add("program", "static_features");
+  description.add("detector", o.detector);
+  description.add("as_field", is_of_field);
+  Programs::add_if(is_of_field, description, "relative_threshold", o.threshold);
+  Programs::add_reading_parameters(description, o.reading, animation);
+  AMF::IO::Output_file file(path);
+  AMF::IO::write_json(file.stream(), features, description);
+  file.stream().flush();
+  file.check();
+  file.commit();
+  if (!o.quiet) Programs::tell(path + ": " + std::to_string(features.size()) + " features\n");
+}
+
 void run(const Options& o)
 {
   const Programs::Thread_limit limit(o.threads);
   const std::unique_ptr<Static_detector> detector = static_detector(o.detector);
   const Programs::Animation animation(o.reading, [](std::size_t, std::size_t) { return AMF::Field_memory::heap(); });
   const Programs::Sequence& sequence = animation.sequence();
-  Programs::check_outputs({o.output}, animation.files());
+  std::vector<std::string> outputs;
+  for (const std::string& path : {o.points, o.of_field})
+    if (!path.empty()) outputs.push_back(path);
+  if (outputs.empty()) throw AMF::Option_error("say what to write: --points FILE, --field FILE or both");
+  Programs::check_outputs(outputs, animation.files());
   if (!o.quiet) Programs::tell(Programs::reading_notices(o.reading, animation));
   const Programs::Interruption interruption;
   std::vector<Triangle> triangles;
@@ -164,21 +185,8 @@ void run(const Options& o)
   const Connectivity connectivity(sequence.rest_shape().number_of_vertices(), std::move(triangles));
 
   const std::vector<Static_response> seen = responses(*detector, sequence, connectivity);
-  const std::vector<AMF::Feature_point> features =
-      o.as_field ? features_of_field(seen, sequence, o.threshold) : points_of_frames(seen, sequence);
-
-  AMF::IO::Result_description description = Programs::animation_description(animation);
-  description.add("program", "static_features");
-  description.add("detector", o.detector);
-  description.add("as_field", o.as_field);
-  Programs::add_if(o.as_field, description, "relative_threshold", o.threshold);
-  Programs::add_reading_parameters(description, o.reading, animation);
-  AMF::IO::Output_file file(o.output);
-  AMF::IO::write_json(file.stream(), features, description);
-  file.stream().flush();
-  file.check();
-  file.commit();
-  if (!o.quiet) Programs::tell(o.detector + ": " + std::to_string(features.size()) + " features\n");
+  if (!o.points.empty()) write(o.points, points_of_frames(seen, sequence), false, o, animation);
+  if (!o.of_field.empty()) write(o.of_field, features_of_field(seen, sequence, o.threshold), true, o, animation);
 }
 
 } // namespace
@@ -191,10 +199,11 @@ int main(int argc, char* argv[])
     Programs::Option_groups groups;
     Programs::add_reading_options(groups.add_group("Input"), o.reading);
     Programs::Option_group& group = groups.add_group("Detection");
-    group.add("output,o", "FILE", "where to write the features, JSON; - for the standard output (default)",
-              [&](const Argument& a) { o.output = a.text(); });
-    group.add_switch("as-field", o.as_field, "find features in what the detector sees, in place of its own points");
-    group.add("relative-threshold", "T", "with --as-field: the least strength, of the strongest (default: 0.02)",
+    group.add("points", "FILE", "write the interest points of each frame, JSON",
+              [&](const Argument& a) { o.points = a.text(); });
+    group.add("field", "FILE", "write the features that are found in what the detector sees",
+              [&](const Argument& a) { o.of_field = a.text(); });
+    group.add("relative-threshold", "T", "with --field: the least strength, of the strongest (default: 0.02)",
               [&](const Argument& a) { o.threshold = a.non_negative_number(); });
     group.add("threads", "N", "at most that many threads (default: all)",
               [&](const Argument& a) { o.threads = a.count(); });
