@@ -369,6 +369,22 @@ def body_twins(lab):
     return (chosen, own_twins(chosen, with_subdivision=False)) if chosen else (None, {})
 
 
+def twin_row(subject, name, twin, vertex_map):
+    row = [name]
+    for p in PRESETS:
+        options = LONG_LIST
+        if "rate" in name and p == "calibrated":  # scales that both can have
+            options += ("--tau-range", f"{1 / min(subject.fps, twin.fps):.7f}:")
+        try:
+            cells = found_again(subject, twin, p, options, options, vertex_map)
+            if "as large" in name:
+                cells[1] = "-"  # sigma is compared as a length there
+            row += cells
+        except Refused:
+            row += ["refused", "", "", ""]
+    return row
+
+
 def twins_tables(lab):
     result = {}
     head = ["sampled otherwise"] + [f"`{p}`: {x}" if i == 0 else x for p in PRESETS for i, x in enumerate(
@@ -378,20 +394,11 @@ def twins_tables(lab):
         if not subject:
             continue
         rows = []
-        for name, (twin, vertex_map) in others.items():
-            row = [name]
-            for p in PRESETS:
-                options = LONG_LIST
-                if "rate" in name and p == "calibrated":  # scales that both can have
-                    options += ("--tau-range", f"{1 / min(subject.fps, twin.fps):.7f}:")
-                try:
-                    cells = found_again(subject, twin, p, options, options, vertex_map)
-                    if "as large" in name:
-                        cells[1] = "-"  # sigma is compared as a length there
-                    row += cells
-                except Refused:
-                    row += ["refused", "", "", ""]
-            rows.append(row)
+        for name, twin in others.items():
+            try:
+                rows.append(twin_row(subject, name, *twin))
+            except Out_of_time:
+                lab.is_complete = False
         result[key] = tables.markdown(head, rows)
     f, half = lab.figure, lab.other_figure("half", vertices=(2300 if lab.options.quick else 9000) // 2)
     files = [s.features("calibrated", *LONG_LIST) for s in (f, half)]
