@@ -468,7 +468,7 @@ def static_table(lab):
         detectors += [(d, f"{t}, each frame"), (d + "+field", f"{t}, as a field")]
     for detector, title in detectors:
         rows.append([title] + static_cells(lab, detector, body_clips, half, noisy))
-    head = ["detector", "figure: recall", "precision", "bodies: recall", "precision",
+    head = ["detector", "features", "recall", "precision", *(["bodies: recall", "precision"] if body_clips else []),
             "half the vertices: found again", "chance", "noise of .1 %: found again", "chance"]
     return {"static": tables.markdown(head, rows)}
 
@@ -480,7 +480,8 @@ def static_cells(lab, detector, body_clips, half, noisy):
         return s.rig(s.features(detector, *((*LONG_LIST,) if detector in PRESETS else ())), top=max(count, 1))
 
     def of_figure():
-        return tables.with_chance(*(rig(lab.figure)[k] for k in ("recall", "precision")))
+        r = rig(lab.figure)
+        return [r["features"], *tables.with_chance(r["recall"], r["precision"])]
 
     def of_bodies():
         mean = mean_rig([rig(s) for s in body_clips])
@@ -492,12 +493,14 @@ def static_cells(lab, detector, body_clips, half, noisy):
         return [found[0], found[2]]
 
     cells = []
-    for make in (of_figure, of_bodies, lambda: of_twin(*half), lambda: of_twin(*noisy)):
+    makers = [(of_figure, 3), *([(of_bodies, 2)] if body_clips else []), (lambda: of_twin(*half), 2),
+              (lambda: of_twin(*noisy), 2)]
+    for make, width in makers:
         try:
-            cells += make() if make is not of_bodies or body_clips else ["-", "-"]
+            cells += make()
         except Out_of_time:
             lab.is_complete = False
-            cells += ["-", "-"]
+            cells += ["-"] * width
     return cells
 
 
