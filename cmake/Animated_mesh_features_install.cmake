@@ -56,7 +56,7 @@ if(DEFINED ANIMATED_MESH_FEATURES_VIEWER_PAGE)
     OPTIONAL)
 endif()
 
-foreach(program IN ITEMS detect_features evaluate_features make_animation)
+foreach(program IN ITEMS detect_features evaluate_features make_animation simplify_animation)
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT programs)
   endif()
