@@ -217,7 +217,7 @@ void test_topology()
   s.add(torus(12, 24, 2, .5), Vec(0, 0, 6));
   s.add(sphere(3), Vec(0, 0, 12));
   const Animation a(s, walking(s.points, 6));
-  const auto result = simplified(a, wanted({200, 60}));
+  const auto result = simplified(a, wanted({300, 120}));
   for (const Amf::Animation_level& level : result.levels) {
     std::map<std::pair<std::size_t, std::size_t>, int> edges;
     for (const auto& t : level.triangles)

@@ -131,7 +131,7 @@ public:
   typedef Rest_shape::Index Index; ///< rank of a vertex
 
   /*!
-  computes the quadrics of all vertices, in parallel if oneTBB is there, in `O(N F)` time and `80 N P + 24 N (F + 1)` bytes for
+  computes the quadrics of all vertices, in parallel if oneTBB is there, in `O(N F)` time and `80 N P + 36 N (F + 1)` bytes for
   `P` poses.
 
   \param mesh is kept by reference; its points at rest are changed as vertices move.

@@ -47,7 +47,8 @@ public:
   {
     std::vector<Index> vertices; // that it follows
     std::vector<double> weights;
-    std::vector<float> rows[3]; // where it is, in all columns
+    std::vector<float> rows[3];    // where it is, in all columns
+    std::vector<float> normals[3]; // of the original around it, as long as areas
   };
 
   // `weight(v, pose)`: how much the surface around a vertex matters in a pose. `is_fixed`: `N` vertices that stay.
@@ -58,6 +59,7 @@ public:
     : m_settings(settings)
     , m_original(rest, trajectories, columns)
     , m_current(m_original)
+    , m_normals(m_original)
     , m_quadrics(rest.number_of_vertices(), poses)
     , m_is_fixed(is_fixed)
     , m_stamps(rest.number_of_vertices(), 0)
@@ -67,7 +69,10 @@ public:
   {
     std::iota(m_merged_into.begin(), m_merged_into.end(), Index(0));
     for (std::size_t v = 0; v < m_vertices.size(); ++v) m_vertices[v].assign(1, Index(v));
-    loop(m_vertices.size(), [&](std::size_t v) { set_quadrics(rest, v, weight); });
+    loop(m_vertices.size(), [&](std::size_t v) {
+      set_quadrics(rest, v, weight);
+      set_normals(rest, v);
+    });
   }
 
   bool is_fixed(std::size_t v) const { return m_is_fixed[v] != 0; }
@@ -120,17 +125,24 @@ public:
         for (std::size_t f = 0; f < columns; ++f) m_sum[f] += c.weights[k] * double(row[f]);
       }
       c.rows[axis].assign(m_sum.begin(), m_sum.end());
+      const float *const n = m_normals.row(i, axis), *const m = m_normals.row(j, axis);
+      c.normals[axis].resize(columns);
+      for (std::size_t f = 0; f < columns; ++f) c.normals[axis][f] = n[f] + m[f];
     }
   }
 
-  // Whether the triangle turns over, or shrinks to nothing, in any column, when its first vertex moves. Where it is
-  // degenerate already, there is nothing to turn over.
+  // Whether the triangle turns over, or shrinks to nothing, in any column, when its first vertex moves: by its own normal, and
+  // by that of the original around its corners, so that it does not turn little by little. Where it is degenerate already,
+  // there is nothing to turn over.
   bool flips(std::size_t moved, std::size_t b, std::size_t d, const Collapse& c) const
   {
     const float *const ax = m_current.row(moved, 0), *const ay = m_current.row(moved, 1), *const az = m_current.row(moved, 2);
     const float *const bx = m_current.row(b, 0), *const by = m_current.row(b, 1), *const bz = m_current.row(b, 2);
     const float *const dx = m_current.row(d, 0), *const dy = m_current.row(d, 1), *const dz = m_current.row(d, 2);
     const float *const nx = c.rows[0].data(), *const ny = c.rows[1].data(), *const nz = c.rows[2].data();
+    const float *const px = c.normals[0].data(), *const py = c.normals[1].data(), *const pz = c.normals[2].data();
+    const float *const qx = m_normals.row(b, 0), *const qy = m_normals.row(b, 1), *const qz = m_normals.row(b, 2);
+    const float *const rx = m_normals.row(d, 0), *const ry = m_normals.row(d, 1), *const rz = m_normals.row(d, 2);
     const float least = float(m_settings.least_cosine * m_settings.least_cosine);
     const std::size_t columns = m_current.number_of_columns();
     int bad = 0;
@@ -143,8 +155,10 @@ public:
       const float dot = ox * wx + oy * wy + oz * wz;
       const float old_area = ox * ox + oy * oy + oz * oz, area = wx * wx + wy * wy + wz * wz;
       const float side = ex * ex + ey * ey + ez * ez;
+      const float sx = px[f] + qx[f] + rx[f], sy = py[f] + qy[f] + ry[f], sz = pz[f] + qz[f] + rz[f];
+      const int against = int(sx * wx + sy * wy + sz * wz < 0) & int(sx * ox + sy * oy + sz * oz >= 0);
       const int was_flat = int(old_area <= 1e-12f * side * side);
-      const int turns = int(dot <= 0) | int(dot * dot < least * old_area * area) | int(area <= 1e-10f * side * side);
+      const int turns = int(dot <= 0) | int(dot * dot < least * old_area * area) | int(area <= 1e-10f * side * side) | against;
       bad |= turns & (1 - was_flat);
     }
     return bad != 0;
@@ -168,7 +182,10 @@ public:
     m_weights[kept] = c.weights;
     std::vector<Index>().swap(m_vertices[removed]);
     std::vector<double>().swap(m_weights[removed]);
-    for (int axis = 0; axis < 3; ++axis) std::copy(c.rows[axis].begin(), c.rows[axis].end(), m_current.row(kept, axis));
+    for (int axis = 0; axis < 3; ++axis) {
+      std::copy(c.rows[axis].begin(), c.rows[axis].end(), m_current.row(kept, axis));
+      std::copy(c.normals[axis].begin(), c.normals[axis].end(), m_normals.row(kept, axis));
+    }
     if (is_fixed(removed)) m_is_fixed[kept] = 1;
     m_merged_into[removed] = Index(kept);
     m_stamps[kept] = ++m_stamp;
@@ -216,6 +233,23 @@ private:
       const double length = normal.norm();
       if (length > 0) m_quadrics.add_line(v, p, normal / length, point(Index(v), p), w * m_settings.line_weight * area);
       if (rest.is_border(v)) add_border(rest, v, p, w, point);
+    }
+  }
+
+  void set_normals(const Rest_shape& rest, std::size_t v)
+  {
+    for (std::size_t f = 0; f < m_normals.number_of_columns(); ++f) {
+      Point sum(0, 0, 0);
+      for (Index t : rest.incident_triangles()[v]) {
+        const Rest_shape::Triangle& triangle = rest.triangles()[t];
+        Point p[3];
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::array<double, 3> x = m_original.point(triangle[k], f);
+          p[k] = Point(x[0], x[1], x[2]);
+        }
+        sum += (p[1] - p[0]).cross(p[2] - p[0]);
+      }
+      for (int axis = 0; axis < 3; ++axis) m_normals.row(v, axis)[f] = float(sum[axis]);
     }
   }
 
@@ -376,6 +410,7 @@ private:
 
   Settings m_settings;
   Pose_positions m_original, m_current;
+  Pose_positions m_normals; // of the original around what each vertex has taken the place of, as long as areas
   Pose_quadrics m_quadrics;
   std::vector<char> m_is_fixed;
   std::vector<std::uint32_t> m_stamps;
