@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// simplification MESH.obj CACHE.pc2 [--rest REST.obj] [--features FEATURES.json] [--shares 0.5,0.1,0.03] [NAME=VALUE]...
+// simplification MESH.obj CACHE.pc2 [--rest REST.obj] [--features FEATURES.json] [--shares 0.5,0.1,0.03] [--step N]
+//   [--only NAME,...] [--line W] [--cosine C] [--support K] [--write FOLDER]
 //
 // Simplifies an animation by several methods and prints how far each is from the original: CGAL's Garland-Heckbert and
 // meshoptimizer on the rest shape, quadrics of a random pose, of all frames, of chosen poses, with guidance by features.
@@ -18,7 +19,10 @@
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
 #include <CGAL/Animated_mesh_features/IO/read_json.h>
 #include <CGAL/Animated_mesh_features/IO/read_mesh.h>
+#include <CGAL/Animated_mesh_features/IO/Output_file.h>
 #include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>
+#include <CGAL/Animated_mesh_features/IO/write_obj.h>
+#include <CGAL/Animated_mesh_features/IO/write_point_cache.h>
 
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/Bounded_normal_change_placement.h>
 #include <CGAL/Surface_mesh_simplification/Policies/Edge_collapse/GarlandHeckbert_policies.h>
@@ -53,6 +57,7 @@ typedef std::vector<Point> Points;
 struct Coarse
 {
   std::vector<Amf::Rest_shape::Triangle> triangles;
+  std::vector<Amf::Rest_shape::Index> vertex_of; // if it is known
   Points rest;
   std::function<Points(std::size_t)> frame;
   double seconds = 0;
@@ -67,6 +72,7 @@ Coarse coarse_of(const Sequence& s, Amf::Animation_level level)
 {
   Coarse c;
   c.triangles = level.triangles;
+  c.vertex_of = level.vertex_of;
   c.rest = level.binding.positions(s.rest_shape().points());
   c.frame = [&s, level](std::size_t f) { return level.binding.positions(s.trajectories().frame(f)); };
   return c;
@@ -202,6 +208,7 @@ Summary summary(const Sequence& s, const Coarse& c, const Amf::Spatio_temporal_f
 {
   Amf::Simplification_error_options o;
   o.regions = regions;
+  if (!c.vertex_of.empty()) o.vertex_of = &c.vertex_of;
   for (std::size_t f = 0; f < s.number_of_frames(); f += step) o.frames.push_back(f);
   const auto errors =
       Amf::simplification_errors(s.rest_shape(), s.trajectories(), c.triangles, c.rest, c.frame, o);
@@ -225,6 +232,23 @@ Summary summary(const Sequence& s, const Coarse& c, const Amf::Spatio_temporal_f
   return r;
 }
 
+// A mesh and a point cache, to be looked at.
+void write(const std::string& base, const Sequence& s, const Coarse& c)
+{
+  if (base.empty()) return;
+  Amf::IO::Indexed_mesh mesh;
+  for (const Point& p : c.rest) mesh.points.push_back({{p[0], p[1], p[2]}});
+  for (const auto& t : c.triangles) mesh.triangles.push_back({{t[0], t[1], t[2]}});
+  Amf::IO::Output_file obj(base + ".obj"), pc2(base + ".pc2");
+  Amf::IO::write_obj(obj.stream(), mesh);
+  Amf::IO::write_pc2(pc2.stream(), c.rest.size(), s.number_of_frames(), [&](std::size_t f, float* xyz) {
+    for (const Point& p : c.frame(f))
+      for (int k = 0; k < 3; ++k) *xyz++ = float(p[k]);
+  });
+  obj.commit();
+  pc2.commit();
+}
+
 void print(const char* name, const Summary& r)
 {
   std::printf("  %-26s %6zu  %8.4f  %8.4f (%3zu) %8.3f  %8.4f %8.4f  %6.2f  %4zu  %6.2f\n", name, r.vertices, r.mean,
@@ -238,7 +262,7 @@ int main(int argc, char* argv[])
 {
   if (argc < 3) {
     std::cerr << "simplification MESH.obj CACHE.pc2 [--rest REST.obj] [--features FEATURES.json] [--shares 0.5,0.1,0.03] "
-                 "[--step N] [--only NAME]\n";
+                 "[--step N] [--only NAME,...] [--line W] [--cosine C] [--support K] [--write FOLDER]\n";
     return 2;
   }
   std::map<std::string, std::string> options = {{"--shares", "0.5,0.1,0.03"}, {"--step", "1"}};
@@ -260,7 +284,12 @@ int main(int argc, char* argv[])
   const auto* const r = features.empty() ? nullptr : &regions;
   const std::size_t step = std::size_t(std::stoul(options["--step"]));
   const std::string only = options["--only"];
-  const auto wanted = [&](const std::string& name) { return only.empty() || name.find(only) != std::string::npos; };
+  const auto wanted = [&](const std::string& name) {
+    std::istringstream names(only);
+    bool is_wanted = only.empty();
+    for (std::string part; std::getline(names, part, ',');) is_wanted = is_wanted || name.find(part) != std::string::npos;
+    return is_wanted;
+  };
 
   Amf::Simplification_options base;
   const auto number = [&](const char* name, double& to) {
@@ -277,6 +306,12 @@ int main(int argc, char* argv[])
   std::printf("%s: %zu vertices, %zu frames, %zu features\n", argv[1], s.number_of_vertices(), s.number_of_frames(), features.size());
   std::printf("  %-26s %6s  %8s  %8s       %8s  %8s %8s  %6s  %4s  %6s\n", "% of the diagonal", "vert.", "mean", "worst",
               "Hausd.", "in reg.", "else", "angle", "turn", "s");
+  const auto file_of = [&](std::string name, const Coarse& c) {
+    if (options["--write"].empty()) return std::string();
+    for (char& letter : name)
+      if (letter == ' ' || letter == ',') letter = '_';
+    return options["--write"] + "/" + name + "_" + std::to_string(c.rest.size());
+  };
   const auto ours = [&](const std::string& name, Amf::Simplification_options o, const auto& guidance) {
     if (!wanted(name)) return;
     const double start = now();
@@ -285,6 +320,7 @@ int main(int argc, char* argv[])
     for (const Amf::Animation_level& level : result.levels) {
       Coarse c = coarse_of(s, level);
       c.seconds = seconds;
+      write(file_of(name, c), s, c);
       print((name + " " + std::to_string(result.poses.size())).c_str(), summary(s, c, r, step));
     }
   };
@@ -294,6 +330,7 @@ int main(int argc, char* argv[])
       const double start = now();
       Coarse c = method(s, vertices);
       c.seconds = now() - start;
+      write(file_of(name, c), s, c);
       print(name.c_str(), summary(s, c, r, step));
     }
   };

@@ -25,7 +25,7 @@ namespace Simplify_animation {
 
 Programs::Names<Form> names(Form)
 {
-  return {{"obj", Form::OBJ}, {"ply", Form::PLY}};
+  return {{"obj", Form::OBJ}, {"ply", Form::PLY}, {"glb", Form::GLB}};
 }
 
 namespace {
@@ -101,7 +101,10 @@ void add_options(Option_groups& groups, Command_line& o)
   Option_group& output = groups.add_group("Output");
   output.add("output,o", "BASE", "write each level: BASE.obj and BASE.pc2, or BASE-1.obj, BASE-2.obj ... of several",
              [&](const Argument& a) { o.base = a.text(); });
-  output.add("format", "obj|ply", "obj: rest shape and point cache; ply: a folder BASE with a mesh for each frame (default: obj)",
+  output.add("format", "obj|ply|glb",
+             "obj: rest shape and point cache; ply: a folder BASE with a mesh for each frame; glb: of a skinned model in "
+             "glTF, BASE.glb with its skeleton and all of its clips, at most four joints a vertex, no materials "
+             "(default: obj)",
              [&](const Argument& a) { o.form = a.choice<Form>(); });
   output.add_repeatable("also", "FILE",
                         "another animation of the same vertices, a point cache, repeatable: it follows without being "

@@ -24,7 +24,8 @@ namespace Simplify_animation {
 enum class Form
 {
   OBJ, // a mesh and a point cache
-  PLY  // a folder with a mesh for each frame
+  PLY, // a folder with a mesh for each frame
+  GLB  // of an animated model: the model, with its skeleton and all clips
 };
 
 Programs::Names<Form> names(Form);

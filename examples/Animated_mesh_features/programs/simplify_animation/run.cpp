@@ -73,9 +73,11 @@ public:
   {
     Programs::Interruption::check();
     const auto coarse = [&](std::size_t f) { return level.binding.positions(m_sequence->trajectories().frame(f)); };
+    AMF::Simplification_error_options options = m_options;
+    options.vertex_of = &level.vertex_of;
     return {level.binding.size(), level.triangles.size(),
             AMF::simplification_errors(m_sequence->rest_shape(), m_sequence->trajectories(), level.triangles,
-                                       level.binding.positions(m_sequence->rest_shape().points()), coarse, m_options)};
+                                       level.binding.positions(m_sequence->rest_shape().points()), coarse, options)};
   }
 
 private:
@@ -206,7 +208,7 @@ void run(const Command_line& o)
   }
   Programs::Interruption::check();
   Reports reports(o, report, result);
-  write_levels(o, sequence, result);
+  write_levels(o, sequence, animation.origins(), result);
   reports.commit();
   const bool is_taken = o.json == "-" || o.plot == "-" || o.binding == "-"; // the standard output
   if (!o.running.quiet && !is_taken) std::cout << Programs::terminal_text(text_of(report)) << std::flush;

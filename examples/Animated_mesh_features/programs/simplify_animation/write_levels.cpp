@@ -8,6 +8,8 @@
 
 #include "running/Interruption.h"
 #include "scenes/append_little_endian.h"
+#include "simplify_animation/read_model.h"
+#include "simplify_animation/write_model.h"
 
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
 #include <CGAL/Animated_mesh_features/IO/Output_file.h>
@@ -119,6 +121,10 @@ std::vector<std::string> level_files(const Command_line& o, std::size_t levels)
       files.push_back(base);
       continue;
     }
+    if (o.form == Form::GLB) {
+      files.push_back(base + ".glb");
+      continue;
+    }
     files.push_back(base + ".obj");
     files.push_back(base + ".pc2");
     for (const std::string& cache : o.further) files.push_back(further_file(base, cache));
@@ -126,15 +132,23 @@ std::vector<std::string> level_files(const Command_line& o, std::size_t levels)
   return files;
 }
 
-void write_levels(const Command_line& o, const Programs::Sequence& sequence, const AMF::Simplified_animation& result)
+void write_levels(const Command_line& o, const Programs::Sequence& sequence, const IO::Vertex_origins& origins,
+                  const AMF::Simplified_animation& result)
 {
   if (o.base.empty()) return;
   const std::vector<std::string> bases = level_bases(o, result.levels.size());
   const std::size_t frames = sequence.number_of_frames();
+  const IO::Keyframed_model model = o.form == Form::GLB ? read_model(o.reading) : IO::Keyframed_model();
   std::vector<std::unique_ptr<IO::Output_file>> files;
   std::vector<std::unique_ptr<IO::Output_folder>> folders;
   for (std::size_t i = 0; i < bases.size(); ++i) {
     const AMF::Animation_level& level = result.levels[i];
+    if (o.form == Form::GLB) {
+      files.push_back(std::make_unique<IO::Output_file>(bases[i] + ".glb"));
+      write_model(files.back()->stream(), model, origins, level, o.reading.inputs.front());
+      finish(*files.back());
+      continue;
+    }
     if (o.form == Form::PLY) {
       folders.push_back(std::make_unique<IO::Output_folder>(bases[i]));
       for (std::size_t f = 0; f < frames; ++f) {

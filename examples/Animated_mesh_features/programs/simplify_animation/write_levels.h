@@ -11,6 +11,7 @@
 #include "simplify_animation/Command_line.h"
 
 #include <CGAL/Animated_mesh_features/Applications/Simplified_animation.h>
+#include <CGAL/Animated_mesh_features/IO/Vertex_origins.h>
 
 #include <string>
 #include <vector>
@@ -24,8 +25,9 @@ std::vector<std::string> level_bases(const Command_line& options, std::size_t le
 std::vector<std::string> level_files(const Command_line& options, std::size_t levels);
 
 // Writes all levels: complete, down to the last byte, before one file takes its place.
-// throws Output_error, and Input_error if a further animation is not of the mesh.
+// throws Output_error, and Input_error if a further animation is not of the mesh, or a model cannot be written.
 void write_levels(const Command_line& options, const Programs::Sequence& sequence,
+                  const CGAL::Animated_mesh_features::IO::Vertex_origins& origins,
                   const CGAL::Animated_mesh_features::Simplified_animation& result);
 
 // which vertices each vertex follows

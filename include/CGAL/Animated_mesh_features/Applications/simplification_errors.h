@@ -42,7 +42,7 @@ struct Simplification_error
   double mean_in_regions = 0;   ///< `mean_to_coarse` of what is in regions; 0 if nothing is
   double mean_elsewhere = 0;    ///< `mean_to_coarse` of all the rest; 0 if there is none
   double share_in_regions = 0;  ///< the share of the original's area that is in regions
-  std::size_t turned = 0;       ///< coarse triangles that look the other way than the original nearest to them
+  std::size_t turned = 0;       ///< coarse triangles that look the other way than the original around them
 
   /// the mean of both mean distances.
   double mean() const { return (mean_to_original + mean_to_coarse) / 2; }
@@ -67,6 +67,11 @@ struct Simplification_error_options
 
   /// `N x F`, positive where a vertex is in a region in a frame; null: no regions. See `feature_regions()`.
   const Spatio_temporal_field<float>* regions = nullptr;
+
+  /// `N`, for each vertex of the original the coarse vertex that has taken its place, or `Rest_shape::none`, see
+  /// `Animation_level::vertex_of`: a coarse triangle is compared with the area normals of the vertices whose place its
+  /// corners have taken. Null: with the original nearest to it, which may be another part of the body.
+  const std::vector<Rest_shape::Index>* vertex_of = nullptr;
 };
 
 namespace internal {
@@ -127,6 +132,27 @@ void measure_samples(const Surface_samples& from, const Measured_surface& source
   }
 }
 
+// Which way each coarse triangle looks, compared with the original around its corners.
+inline std::vector<double> look_at_corners(const Rest_shape& rest, const Measured_surface& fine,
+                                           const std::vector<Rest_shape::Index>& vertex_of,
+                                           const std::vector<Rest_shape::Triangle>& triangles, const Measured_surface& coarse)
+{
+  std::vector<Rest_shape::Point> normals;
+  for (std::size_t v = 0; v < vertex_of.size(); ++v) {
+    if (vertex_of[v] == Rest_shape::none) continue;
+    if (vertex_of[v] >= normals.size()) normals.resize(vertex_of[v] + 1, Rest_shape::Point(0, 0, 0));
+    for (Rest_shape::Index t : rest.incident_triangles()[v]) normals[vertex_of[v]] += fine.normals()[t];
+  }
+  std::vector<double> look;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    Rest_shape::Point sum(0, 0, 0);
+    for (Rest_shape::Index v : triangles[t])
+      if (v < normals.size()) sum += normals[v];
+    look.push_back(sum.dot(coarse.normals()[t]));
+  }
+  return look;
+}
+
 } // namespace internal
 
 /*!
@@ -163,6 +189,8 @@ simplification_errors(const Rest_shape& rest, const Vertex_trajectories<FT>& tra
   if (options.regions != nullptr && (options.regions->number_of_rows() != rest.number_of_vertices() ||
                                      options.regions->number_of_frames() != trajectories.number_of_frames()))
     throw Option_error("regions are not of this animation");
+  if (options.vertex_of != nullptr && options.vertex_of->size() != rest.number_of_vertices())
+    throw Option_error("the coarse vertices are not of this animation");
   if (triangles.empty()) throw Option_error("there is no simplified surface to measure");
   const std::size_t number = options.samples > 0 ? options.samples : 2 * rest.triangles().size();
   const internal::Surface_samples of_original(rest.triangles(), rest.points(), number);
@@ -208,6 +236,7 @@ simplification_errors(const Rest_shape& rest, const Vertex_trajectories<FT>& tra
         look[s.triangle] += s.share * cosine;
       });
       if (coarse_area > 0) e.mean_to_original /= coarse_area;
+      if (options.vertex_of != nullptr) look = internal::look_at_corners(rest, fine, *options.vertex_of, triangles, other);
       e.turned = std::size_t(std::count_if(look.begin(), look.end(), [](double x) { return x < 0; }));
     }
   });
