@@ -13,6 +13,9 @@
 
 namespace Simplify_animation {
 
+// throws Option_error if the input is no animated model in glTF.
+void check_is_model(const Programs::Reading_options& options);
+
 // The model of which the animation was made.
 // throws Option_error if it is none in glTF, or the program was built without what reads it; Input_error.
 CGAL::Animated_mesh_features::IO::Keyframed_model read_model(const Programs::Reading_options& options);

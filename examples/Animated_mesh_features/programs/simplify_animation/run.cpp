@@ -18,6 +18,7 @@
 #include "running/Thread_limit.h"
 #include "running/tell.h"
 #include "simplify_animation/Level_report.h"
+#include "simplify_animation/read_model.h"
 #include "simplify_animation/simplify.h"
 #include "simplify_animation/write_levels.h"
 
@@ -119,6 +120,16 @@ void tell_reading(const Command_line& o, const Programs::Animation& animation)
   for (const std::string& remark : animation.remarks()) Programs::tell(remark + "\n");
 }
 
+void tell_what_is_left(const Command_line& o, const std::vector<std::size_t>& wanted, const AMF::Simplified_animation& result)
+{
+  if (o.running.quiet || o.error) return;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    if (result.levels[i].binding.size() > wanted[i])
+      Programs::tell("simplify_animation: " + std::to_string(result.levels[i].binding.size()) + " vertices are left where " +
+                     std::to_string(wanted[i]) +
+                     " were wanted: no other edge can be collapsed without turning triangles over or changing the topology\n");
+}
+
 // All are complete before one takes its place.
 class Reports
 {
@@ -177,6 +188,7 @@ void run(const Command_line& o)
 {
   const std::size_t levels = o.error ? 1 : (std::max)(o.vertices.size(), o.ratios.size());
   Programs::check_outputs(all_outputs(o, levels), all_inputs(o));
+  if (o.form == Form::GLB) check_is_model(o.reading);
   const Programs::Thread_limit threads(o.running.threads);
   const Programs::Interruption interruption;
   const Programs::Animation animation(o.reading, [](std::size_t, std::size_t) { return AMF::Field_memory::heap(); });
@@ -194,6 +206,7 @@ void run(const Command_line& o)
       return Programs::Interruption::signal() == 0;
     });
   }
+  tell_what_is_left(o, method.vertices, result);
   Level_report report;
   report.title = o.reading.inputs.front();
   report.diagonal = sequence.rest_shape().bounding_box_diagonal();
