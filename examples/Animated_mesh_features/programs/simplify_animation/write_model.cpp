@@ -184,6 +184,7 @@ Json node_json(const Model& model, std::size_t i)
 Json clip_json(const Model::Clip& clip, Programs::Gltf_buffer& buffer)
 {
   Json json = {{"name", clip.name}, {"samplers", Json::array()}, {"channels", Json::array()}};
+  std::map<std::vector<double>, std::size_t> inputs; // channels share their times, as a rule
   for (const Model::Channel& channel : clip.channels) {
     if (channel.path == Model::Path::WEIGHTS) continue;
     const IO::Keyframe_track& track = channel.track;
@@ -193,7 +194,10 @@ Json clip_json(const Model::Clip& clip, Programs::Gltf_buffer& buffer)
     const char* const path = channel.path == Model::Path::TRANSLATION ? "translation"
                              : channel.path == Model::Path::ROTATION  ? "rotation"
                                                                       : "scale";
-    const std::size_t input = buffer.add_with_bounds(floats(track.times), 1);
+    const auto found = inputs.find(track.times);
+    const std::size_t input =
+        found != inputs.end() ? found->second : buffer.add_with_bounds(floats(track.times), 1);
+    inputs.emplace(track.times, input);
     const std::size_t output = buffer.add(floats(track.values), track.width);
     json["channels"].push_back(
         {{"sampler", json["samplers"].size()}, {"target", {{"node", channel.node}, {"path", path}}}});
