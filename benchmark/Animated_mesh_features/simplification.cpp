@@ -8,8 +8,8 @@
 //   [--only NAME,...] [--line W] [--cosine C] [--support K] [--write FOLDER]
 //
 // Simplifies an animation by several methods and prints how far each is from the original: CGAL's Garland-Heckbert and
-// meshoptimizer on the rest shape, quadrics of a random pose, of all frames, of chosen poses, with guidance by features.
-// Means over frames and the worst frame, in % of the diagonal.
+// meshoptimizer on the rest shape, quadrics of a random pose, of all frames, of chosen poses, with guidance by
+// features. Means over frames and the worst frame, in % of the diagonal.
 
 #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
 #include <CGAL/Animated_mesh_features/Applications/simplification_errors.h>
@@ -78,8 +78,8 @@ Coarse coarse_of(const Sequence& s, Amf::Animation_level level)
   return c;
 }
 
-// A vertex near a rest shape follows the triangle nearest to it: its place in it and its distance along the normal, which
-// becomes longer as the triangle does; what a wrap deformer does.
+// A vertex near a rest shape follows the triangle nearest to it: its place in it and its distance along the normal,
+// which becomes longer as the triangle does; what a wrap deformer does.
 Coarse wrapped(const Sequence& s, std::vector<Amf::Rest_shape::Triangle> triangles, const Points& points)
 {
   struct Place
@@ -108,7 +108,8 @@ Coarse wrapped(const Sequence& s, std::vector<Amf::Rest_shape::Triangle> triangl
   c.frame = [&s, places](std::size_t f) {
     Points all;
     for (const Place& p : places) {
-      const Point a = s.trajectories().point(p.t[0], f), b = s.trajectories().point(p.t[1], f), d = s.trajectories().point(p.t[2], f);
+      const Point a = s.trajectories().point(p.t[0], f), b = s.trajectories().point(p.t[1], f),
+                  d = s.trajectories().point(p.t[2], f);
       const Point n = (b - a).cross(d - a);
       const double length = n.norm();
       Point x = p.b[0] * a + p.b[1] * b + p.b[2] * d;
@@ -140,7 +141,9 @@ Coarse garland_heckbert(const Sequence& s, std::size_t vertices)
   struct Count : SMS::Edge_collapse_visitor_base<Mesh>
   {
     std::size_t* left;
-    explicit Count(std::size_t* l) : left(l) {}
+    explicit Count(std::size_t* l)
+      : left(l)
+    {}
     void OnCollapsed(const Profile&, const vertex_descriptor&) { --*left; }
   };
   SMS::edge_collapse(mesh, Amf::internal::Vertex_count_stop(left, vertices),
@@ -155,7 +158,8 @@ Coarse garland_heckbert(const Sequence& s, std::size_t vertices)
     }
   for (auto f : mesh.faces()) {
     const auto h = mesh.halfedge(f);
-    triangles.push_back({{number[mesh.target(h)], number[mesh.target(mesh.next(h))], number[mesh.target(mesh.prev(h))]}});
+    triangles.push_back(
+        {{number[mesh.target(h)], number[mesh.target(mesh.next(h))], number[mesh.target(mesh.prev(h))]}});
   }
   return wrapped(s, triangles, points);
 }
@@ -175,8 +179,8 @@ Coarse meshoptimizer(const Sequence& s, std::size_t vertices)
   for (int round = 0; round < 24 && low + 1 < high; ++round) {
     const std::size_t middle = (low + high) / 2;
     out.resize(indices.size());
-    out.resize(meshopt_simplify(out.data(), indices.data(), indices.size(), points.data(), rest.number_of_vertices(), 12,
-                                3 * middle, 1.f, 0, nullptr));
+    out.resize(meshopt_simplify(out.data(), indices.data(), indices.size(), points.data(), rest.number_of_vertices(),
+                                12, 3 * middle, 1.f, 0, nullptr));
     number.assign(rest.number_of_vertices(), Amf::Rest_shape::none);
     kept.clear();
     for (unsigned int v : out)
@@ -187,7 +191,8 @@ Coarse meshoptimizer(const Sequence& s, std::size_t vertices)
     (kept.size() > vertices ? high : low) = middle;
   }
   Coarse c;
-  for (std::size_t i = 0; i < out.size(); i += 3) c.triangles.push_back({{number[out[i]], number[out[i + 1]], number[out[i + 2]]}});
+  for (std::size_t i = 0; i < out.size(); i += 3)
+    c.triangles.push_back({{number[out[i]], number[out[i + 1]], number[out[i + 2]]}});
   for (std::size_t v : kept) c.rest.push_back(rest.points()[v]);
   c.frame = [&s, kept](std::size_t f) {
     Points all;
@@ -210,8 +215,7 @@ Summary summary(const Sequence& s, const Coarse& c, const Amf::Spatio_temporal_f
   o.regions = regions;
   if (!c.vertex_of.empty()) o.vertex_of = &c.vertex_of;
   for (std::size_t f = 0; f < s.number_of_frames(); f += step) o.frames.push_back(f);
-  const auto errors =
-      Amf::simplification_errors(s.rest_shape(), s.trajectories(), c.triangles, c.rest, c.frame, o);
+  const auto errors = Amf::simplification_errors(s.rest_shape(), s.trajectories(), c.triangles, c.rest, c.frame, o);
   Summary r;
   const double unit = 100 / s.rest_shape().bounding_box_diagonal(), n = double(errors.size());
   double in = 0, share = 0;
@@ -261,8 +265,9 @@ void print(const char* name, const Summary& r)
 int main(int argc, char* argv[])
 {
   if (argc < 3) {
-    std::cerr << "simplification MESH.obj CACHE.pc2 [--rest REST.obj] [--features FEATURES.json] [--shares 0.5,0.1,0.03] "
-                 "[--step N] [--only NAME,...] [--line W] [--cosine C] [--support K] [--write FOLDER]\n";
+    std::cerr
+        << "simplification MESH.obj CACHE.pc2 [--rest REST.obj] [--features FEATURES.json] [--shares 0.5,0.1,0.03] "
+           "[--step N] [--only NAME,...] [--line W] [--cosine C] [--support K] [--write FOLDER]\n";
     return 2;
   }
   std::map<std::string, std::string> options = {{"--shares", "0.5,0.1,0.03"}, {"--step", "1"}};
@@ -279,7 +284,8 @@ int main(int argc, char* argv[])
   Amf::Spatio_temporal_field<float> regions;
   if (!options["--features"].empty()) {
     features = Amf::IO::read_json(options["--features"]).features;
-    regions = Amf::feature_regions(s.rest_shape(), s.number_of_frames(), s.frame_duration(), features, Amf::Region_course::PRESENT);
+    regions = Amf::feature_regions(s.rest_shape(), s.number_of_frames(), s.frame_duration(), features,
+                                   Amf::Region_course::PRESENT);
   }
   const auto* const r = features.empty() ? nullptr : &regions;
   const std::size_t step = std::size_t(std::stoul(options["--step"]));
@@ -287,7 +293,8 @@ int main(int argc, char* argv[])
   const auto wanted = [&](const std::string& name) {
     std::istringstream names(only);
     bool is_wanted = only.empty();
-    for (std::string part; std::getline(names, part, ',');) is_wanted = is_wanted || name.find(part) != std::string::npos;
+    for (std::string part; std::getline(names, part, ',');)
+      is_wanted = is_wanted || name.find(part) != std::string::npos;
     return is_wanted;
   };
 
@@ -303,9 +310,10 @@ int main(int argc, char* argv[])
   for (std::string share; std::getline(shares, share, ',');) ratios.push_back(std::stod(share));
   for (double ratio : ratios) base.vertices.push_back(std::size_t(ratio * double(s.number_of_vertices())));
 
-  std::printf("%s: %zu vertices, %zu frames, %zu features\n", argv[1], s.number_of_vertices(), s.number_of_frames(), features.size());
-  std::printf("  %-26s %6s  %8s  %8s       %8s  %8s %8s  %6s  %4s  %6s\n", "% of the diagonal", "vert.", "mean", "worst",
-              "Hausd.", "in reg.", "else", "angle", "turn", "s");
+  std::printf("%s: %zu vertices, %zu frames, %zu features\n", argv[1], s.number_of_vertices(), s.number_of_frames(),
+              features.size());
+  std::printf("  %-26s %6s  %8s  %8s       %8s  %8s %8s  %6s  %4s  %6s\n", "% of the diagonal", "vert.", "mean",
+              "worst", "Hausd.", "in reg.", "else", "angle", "turn", "s");
   const auto file_of = [&](std::string name, const Coarse& c) {
     if (options["--write"].empty()) return std::string();
     for (char& letter : name)

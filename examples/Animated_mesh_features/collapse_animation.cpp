@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// An animated mesh with fewer triangles: CGAL's edge collapse with the policies of this package, and a stop predicate of
-// CGAL's own. What is left follows the original in every frame.
+// An animated mesh with fewer triangles: CGAL's edge collapse with the policies of this package, and a stop predicate
+// of CGAL's own. What is left follows the original in every frame.
 
 #include "generators/bending_cylinder.h"
 

@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Simplification of animated meshes: what stays the same, what must not be lost, and how far the result is from the original.
+// Simplification of animated meshes: what stays the same, what must not be lost, and how far the result is from the
+// original.
 
 #include "test_shapes.h"
 
@@ -101,9 +102,8 @@ std::vector<Points> folded(const Points& flat, std::size_t frames, double most)
   std::vector<Points> all;
   for (std::size_t f = 0; f < frames; ++f) {
     const double angle = most * double(f) / double(frames - 1);
-    all.push_back(mapped(flat, [&](const Vec& p) {
-      return p[0] <= 0 ? p : Vec(p[0] * std::cos(angle), p[1], p[0] * std::sin(angle));
-    }));
+    all.push_back(mapped(
+        flat, [&](const Vec& p) { return p[0] <= 0 ? p : Vec(p[0] * std::cos(angle), p[1], p[0] * std::sin(angle)); }));
   }
   return all;
 }
@@ -225,7 +225,8 @@ void test_topology()
     for (const auto& t : level.triangles)
       for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
     bool is_closed = true;
-    for (const auto& e : edges) is_closed = is_closed && e.second == 1 && edges.count({e.first.second, e.first.first}) == 1;
+    for (const auto& e : edges)
+      is_closed = is_closed && e.second == 1 && edges.count({e.first.second, e.first.first}) == 1;
     CHECK(is_closed);
     const long euler = long(level.binding.size()) - long(edges.size() / 2) + long(level.triangles.size());
     CHECK(euler == 2); // two tori and a sphere
@@ -260,10 +261,12 @@ void test_errors()
   for (std::size_t v = 0; v < s.points.size(); ++v) regions(v, 2) = s.points[v][0] < 0 ? 1.f : 0.f;
   Amf::Simplification_error_options o;
   o.regions = &regions;
-  const auto e = Amf::simplification_errors(a.sequence.rest_shape(), a.sequence.trajectories(), triangles, s.points, lifted, o);
+  const auto e =
+      Amf::simplification_errors(a.sequence.rest_shape(), a.sequence.trajectories(), triangles, s.points, lifted, o);
   CHECK(e.size() == 3);
   for (std::size_t f = 0; f < 3; ++f) {
-    for (double x : {e[f].mean_to_coarse, e[f].mean_to_original, e[f].max_to_coarse, e[f].max_to_original, e[f].mean_elsewhere})
+    for (double x :
+         {e[f].mean_to_coarse, e[f].mean_to_original, e[f].max_to_coarse, e[f].max_to_original, e[f].mean_elsewhere})
       CHECK_NEAR(x, h * double(f), 1e-12);
     CHECK_NEAR(e[f].normal_angle, 0, 1e-5);
     CHECK(e[f].turned == 0);
@@ -273,7 +276,8 @@ void test_errors()
   CHECK(e[2].share_in_regions > .35 && e[2].share_in_regions < .55);
   CHECK(Amf::worst_frame(e).frame == 2);
   for (auto& t : triangles) std::swap(t[1], t[2]);
-  const auto turned = Amf::simplification_errors(a.sequence.rest_shape(), a.sequence.trajectories(), triangles, s.points, lifted);
+  const auto turned =
+      Amf::simplification_errors(a.sequence.rest_shape(), a.sequence.trajectories(), triangles, s.points, lifted);
   CHECK(turned[1].turned == triangles.size());
   CHECK_NEAR(turned[1].normal_angle, 180, 1e-5);
 }
@@ -284,13 +288,13 @@ void test_nearest()
   Random random(3);
   double worst = 0;
   for (int k = 0; k < 200; ++k) {
-    const Vec a = random.vector(), b = random.vector(), c = k % 10 == 0 ? Vec((a + b) / 2) : random.vector(), p = random.vector(2);
+    const Vec a = random.vector(), b = random.vector(), c = k % 10 == 0 ? Vec((a + b) / 2) : random.vector(),
+              p = random.vector(2);
     const double d = (p - Amf::internal::nearest_in_triangle(p, a, b, c)).norm();
     double least = 100;
     const int n = 60;
     for (int i = 0; i <= n; ++i)
-      for (int j = 0; i + j <= n; ++j)
-        least = (std::min)(least, (p - (a + (b - a) * i / n + (c - a) * j / n)).norm());
+      for (int j = 0; i + j <= n; ++j) least = (std::min)(least, (p - (a + (b - a) * i / n + (c - a) * j / n)).norm());
     worst = (std::max)({worst, d - least, least - d - .07});
   }
   CHECK(worst < 1e-9);
@@ -304,7 +308,8 @@ void test_nearest()
     const Vec p = random.vector(2);
     double least = 100;
     for (const auto& t : rest.triangles())
-      least = (std::min)(least, (p - Amf::internal::nearest_in_triangle(p, moved[t[0]], moved[t[1]], moved[t[2]])).squaredNorm());
+      least = (std::min)(
+          least, (p - Amf::internal::nearest_in_triangle(p, moved[t[0]], moved[t[1]], moved[t[2]])).squaredNorm());
     const auto guess = k % 2 == 0 ? Amf::Rest_shape::none : Amf::Rest_shape::Index(k);
     difference = (std::max)(difference, std::abs(tree.nearest(p, guess).square - least));
   }
@@ -319,7 +324,8 @@ void test_poses()
   for (std::size_t f = 0; f < 10; ++f) {
     const double stretch = f == 3 ? 2 : f == 7 ? .5 : 1 + .01 * double(f);
     const Eigen::AngleAxisd turn = random.rotation();
-    frames[f] = mapped(s.points, [&](const Vec& p) { return Vec(turn * p.cwiseProduct(Vec(stretch, 1, 1)) + Vec(9, 0, double(f))); });
+    frames[f] = mapped(
+        s.points, [&](const Vec& p) { return Vec(turn * p.cwiseProduct(Vec(stretch, 1, 1)) + Vec(9, 0, double(f))); });
   }
   const Animation a(s, frames);
   const Amf::Rest_shape& rest = a.sequence.rest_shape();
@@ -364,8 +370,8 @@ void test_guidance()
   CHECK(same.levels[0].triangles == simplified(a, wanted({80})).levels[0].triangles);
   CHECK_THROWS(Amf::Option_error, Amf::Feature_guidance(a.sequence.rest_shape(), 5, .1, features, -1), "negative");
   f.vertex_index = 100000;
-  CHECK_THROWS(Amf::Input_error, Amf::Feature_guidance(a.sequence.rest_shape(), 5, .1, std::vector<Amf::Feature_point>{f}, 1),
-               "100000");
+  CHECK_THROWS(Amf::Input_error,
+               Amf::Feature_guidance(a.sequence.rest_shape(), 5, .1, std::vector<Amf::Feature_point>{f}, 1), "100000");
 }
 
 void test_fixed_vertices_and_threads()
@@ -410,8 +416,9 @@ void test_refusals()
   CHECK(all.levels[0].vertex_of.back() == Amf::Rest_shape::none);
   CHECK(Amf::worst_frame(errors(a, all.levels[0])).hausdorff() < 1e-6);
   for (const auto& change : std::vector<void (*)(Amf::Simplification_options&)>{
-           [](auto& o) { o.poses = 0; }, [](auto& o) { o.line_weight = -1; }, [](auto& o) { o.border_weight = std::nan(""); },
-           [](auto& o) { o.least_cosine = 1; }, [](auto& o) { o.support = 0; }}) {
+           [](auto& o) { o.poses = 0; }, [](auto& o) { o.line_weight = -1; },
+           [](auto& o) { o.border_weight = std::nan(""); }, [](auto& o) { o.least_cosine = 1; },
+           [](auto& o) { o.support = 0; }}) {
     Amf::Simplification_options o = wanted({40});
     change(o);
     CHECK_THROWS(Amf::Option_error, simplified(a, o), "");
@@ -426,7 +433,8 @@ void test_refusals()
   Amf::simplify_animation(a.sequence, wanted({20}), Amf::Plain_guidance(), watch);
   CHECK(grows && told == 1);
   CHECK_THROWS(Amf::Cancelled,
-               Amf::simplify_animation(a.sequence, wanted({20}), Amf::Plain_guidance(), [](double) { return false; }), "");
+               Amf::simplify_animation(a.sequence, wanted({20}), Amf::Plain_guidance(), [](double) { return false; }),
+               "");
 }
 
 } // namespace

@@ -4,7 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Simplifies an animated mesh for all of its frames at once: meshes, their frames, and how far they are from the original.
+// Simplifies an animated mesh for all of its frames at once: meshes, their frames, and how far they are from the
+// original.
 
 #include "running/run_program.h"
 #include "simplify_animation/Command_line.h"

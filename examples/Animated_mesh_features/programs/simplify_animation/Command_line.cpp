@@ -66,16 +66,18 @@ void add_options(Option_groups& groups, Command_line& o)
   Option_group& target = groups.add_group("How much is left (one of them)");
   target.add("vertices", "N,...", "so many vertices; several numbers are levels of detail, from fine to coarse",
              [&](const Argument& a) { for_each_part(a, [&](const Argument& p) { o.vertices.push_back(p.count()); }); });
-  target.add("ratio", "R", "this share of the vertices, up to 1", [&](const Argument& a) { o.ratios.assign(1, ratio(a)); });
+  target.add("ratio", "R", "this share of the vertices, up to 1",
+             [&](const Argument& a) { o.ratios.assign(1, ratio(a)); });
   target.add("lods", "R,...", "levels of detail, nested: these shares of the vertices, such as 0.5,0.25,0.1",
              [&](const Argument& a) {
                if (!o.ratios.empty()) throw Option_error("--ratio and --lods exclude each other");
                for_each_part(a, [&](const Argument& p) { o.ratios.push_back(ratio(p)); });
              });
-  target.add("error", "E",
-             "as few vertices as keep the mean distance, both ways, below E % of the diagonal of the rest shape in every "
-             "frame; found within 10 % of their number",
-             [&](const Argument& a) { o.error = a.positive_number(); });
+  target.add(
+      "error", "E",
+      "as few vertices as keep the mean distance, both ways, below E % of the diagonal of the rest shape in every "
+      "frame; found within 10 % of their number",
+      [&](const Argument& a) { o.error = a.positive_number(); });
   Option_group& method = groups.add_group("Method");
   method.add("poses", "N", "the most poses whose quadrics are summed (default: 32)", [&](const Argument& a) {
     o.method.poses = a.count();
@@ -87,7 +89,8 @@ void add_options(Option_groups& groups, Command_line& o)
   method.add("guidance", "S",
              "with --features: how much more a feature's region counts while the feature lasts (default: 0, no more)",
              [&](const Argument& a) { o.strength = a.non_negative_number(); });
-  method.add("normals", "DEGREES", "the most by which a collapse may turn a normal in any frame, below 90 (default: 78.5)",
+  method.add("normals", "DEGREES",
+             "the most by which a collapse may turn a normal in any frame, below 90 (default: 78.5)",
              [&](const Argument& a) {
                const double angle = a.positive_number();
                if (angle >= 90 || angle < 3) a.refuse("is not from 3 to 90 degrees");
@@ -101,18 +104,20 @@ void add_options(Option_groups& groups, Command_line& o)
   Option_group& output = groups.add_group("Output");
   output.add("output,o", "BASE", "write each level: BASE.obj and BASE.pc2, or BASE-1.obj, BASE-2.obj ... of several",
              [&](const Argument& a) { o.base = a.text(); });
-  output.add("format", "obj|ply|glb",
-             "obj: rest shape and point cache; ply: a folder BASE with a mesh for each frame; glb: of a skinned model in "
-             "glTF, BASE.glb with its skeleton and all of its clips, at most four joints a vertex, no materials "
-             "(default: obj)",
-             [&](const Argument& a) { o.form = a.choice<Form>(); });
+  output.add(
+      "format", "obj|ply|glb",
+      "obj: rest shape and point cache; ply: a folder BASE with a mesh for each frame; glb: of a skinned model in "
+      "glTF, BASE.glb with its skeleton and all of its clips, at most four joints a vertex, no materials "
+      "(default: obj)",
+      [&](const Argument& a) { o.form = a.choice<Form>(); });
   output.add_repeatable("also", "FILE",
                         "another animation of the same vertices, a point cache, repeatable: it follows without being "
                         "simplified; written as BASE_NAME.pc2",
                         [&](const Argument& a) { o.further.push_back(a.text()); });
   output.add("binding", "FILE", "write which vertices each vertex follows, and their weights (JSON)",
              [&](const Argument& a) { o.binding = a.text(); });
-  output.add("report", "FILE", "write the errors of all levels in all frames as JSON; - for the standard output, in place of the table",
+  output.add("report", "FILE",
+             "write the errors of all levels in all frames as JSON; - for the standard output, in place of the table",
              [&](const Argument& a) { o.json = a.text(); });
   output.add("plot", "FILE", "draw the errors over the frames: .svg, .pdf or .png by the ending",
              [&](const Argument& a) { set_plot(a, o); });
@@ -130,7 +135,8 @@ void check(const Command_line& o)
   Programs::check(o.reading);
   Programs::check(o.running);
   const int targets = int(!o.vertices.empty()) + int(!o.ratios.empty()) + int(o.error.has_value());
-  if (targets != 1) throw Option_error("say how much is to be left, in one way: --vertices, --ratio, --lods or --error");
+  if (targets != 1)
+    throw Option_error("say how much is to be left, in one way: --vertices, --ratio, --lods or --error");
   if (o.strength && o.features.empty()) throw Option_error("--guidance goes with --features");
   if (o.base.empty() && o.json.empty() && o.plot.empty() && o.binding.empty())
     throw Option_error("say where to write: -o BASE, --report, --plot or --binding");
@@ -161,9 +167,9 @@ std::string usage()
   os << "Usage: simplify_animation INPUT... --ratio R -o BASE [options]\n\n"
      << Programs::input_help() << R"(
 Collapses edges of the mesh where that changes the surface least, in all poses together; no triangle turns over in any
-frame. Every vertex that is left follows a few vertices of the original by weights, in every frame. The table, the report and
-the plot tell how far each level is from the original: mean distances both ways, their worst frame, and the Hausdorff distance
-of samples, in % of the diagonal of the rest shape's bounding box.
+frame. Every vertex that is left follows a few vertices of the original by weights, in every frame. The table, the report
+and the plot tell how far each level is from the original: mean distances both ways, their worst frame, and the Hausdorff
+distance of samples, in % of the diagonal of the rest shape's bounding box.
 )" << groups
      << R"(
 Exit codes: 0 success, 1 failure, 2 wrong usage, 3 unusable input, 4 output cannot be written, 130 interrupted.

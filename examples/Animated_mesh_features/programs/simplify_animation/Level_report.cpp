@@ -70,8 +70,8 @@ std::string text_of(const Level_report& report)
   const double unit = 100 / report.diagonal;
   os << report.title << ": " << report.vertices << " vertices, " << report.triangles << " triangles; "
      << report.poses.size() << (report.poses.size() == 1 ? " pose" : " poses") << "\ndistances in % of the diagonal\n\n"
-     << std::right << std::setw(10) << "vertices" << std::setw(10) << "triangles" << std::setw(9) << "mean" << std::setw(9)
-     << "worst" << std::setw(7) << "frame" << std::setw(11) << "Hausdorff";
+     << std::right << std::setw(10) << "vertices" << std::setw(10) << "triangles" << std::setw(9) << "mean"
+     << std::setw(9) << "worst" << std::setw(7) << "frame" << std::setw(11) << "Hausdorff";
   if (report.has_regions) os << std::setw(12) << "in features" << std::setw(11) << "elsewhere";
   os << std::setw(10) << "normals" << std::setw(8) << "turned" << '\n';
   os << std::fixed;

@@ -27,8 +27,8 @@ AMF::IO::Keyframed_model read_model(const Programs::Reading_options& o)
 {
   check_is_model(o);
 #ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
-  return AMF::IO::read_gltf(o.inputs.front(), o.allow_outside ? AMF::IO::Linked_files::ANYWHERE
-                                                              : AMF::IO::Linked_files::BESIDE_MODEL);
+  return AMF::IO::read_gltf(o.inputs.front(),
+                            o.allow_outside ? AMF::IO::Linked_files::ANYWHERE : AMF::IO::Linked_files::BESIDE_MODEL);
 #else
   throw AMF::Option_error("--format glb: this program was built without what reads glTF");
 #endif

@@ -61,8 +61,8 @@ public:
     : m_sequence(&sequence)
   {
     if (features.empty()) return;
-    m_regions = AMF::feature_regions(sequence.rest_shape(), sequence.number_of_frames(), sequence.frame_duration(), features,
-                                     AMF::Region_course::PRESENT);
+    m_regions = AMF::feature_regions(sequence.rest_shape(), sequence.number_of_frames(), sequence.frame_duration(),
+                                     features, AMF::Region_course::PRESENT);
     m_options.regions = &m_regions;
   }
   Measurement(const Measurement&) = delete;
@@ -95,7 +95,8 @@ std::vector<std::size_t> targets(const Command_line& o, const AMF::Rest_shape& r
   const AMF::Simplification_limits limits(rest);
   for (double ratio : o.ratios) counts.push_back(std::size_t(std::llround(ratio * double(limits.used))));
   if (o.error)
-    for (std::size_t n = limits.used; n > limits.least; n = (std::min)(n - 1, std::size_t(.9 * double(n)))) counts.push_back(n);
+    for (std::size_t n = limits.used; n > limits.least; n = (std::min)(n - 1, std::size_t(.9 * double(n))))
+      counts.push_back(n);
   if (counts.empty()) counts.push_back(limits.used);
   return counts;
 }
@@ -120,14 +121,16 @@ void tell_reading(const Command_line& o, const Programs::Animation& animation)
   for (const std::string& remark : animation.remarks()) Programs::tell(remark + "\n");
 }
 
-void tell_what_is_left(const Command_line& o, const std::vector<std::size_t>& wanted, const AMF::Simplified_animation& result)
+void tell_what_is_left(const Command_line& o, const std::vector<std::size_t>& wanted,
+                       const AMF::Simplified_animation& result)
 {
   if (o.running.quiet || o.error) return;
   for (std::size_t i = 0; i < wanted.size(); ++i)
     if (result.levels[i].binding.size() > wanted[i])
-      Programs::tell("simplify_animation: " + std::to_string(result.levels[i].binding.size()) + " vertices are left where " +
-                     std::to_string(wanted[i]) +
-                     " were wanted: no other edge can be collapsed without turning triangles over or changing the topology\n");
+      Programs::tell(
+          "simplify_animation: " + std::to_string(result.levels[i].binding.size()) + " vertices are left where " +
+          std::to_string(wanted[i]) +
+          " were wanted: no other edge can be collapsed without turning triangles over or changing the topology\n");
 }
 
 // All are complete before one takes its place.

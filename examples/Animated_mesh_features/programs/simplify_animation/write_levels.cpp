@@ -90,7 +90,8 @@ struct Further_animation
 };
 
 template <class Positions>
-void write_cache(IO::Output_file& file, const AMF::Animation_level& level, std::size_t frames, const Positions& positions)
+void write_cache(IO::Output_file& file, const AMF::Animation_level& level, std::size_t frames,
+                 const Positions& positions)
 {
   IO::write_pc2(file.stream(), level.binding.size(), frames, [&](std::size_t f, float* xyz) {
     Programs::Interruption::check();

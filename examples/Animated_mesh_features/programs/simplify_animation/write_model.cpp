@@ -29,8 +29,8 @@ namespace {
 typedef IO::Keyframed_model Model;
 typedef nlohmann::ordered_json Json;
 
-// One skin for all parts: a joint for each node and inverse bind matrix. A part without a skin is moved by its node, as by a
-// joint whose matrix is the identity.
+// One skin for all parts: a joint for each node and inverse bind matrix. A part without a skin is moved by its node,
+// as by a joint whose matrix is the identity.
 class Joined_skin
 {
 public:
@@ -40,13 +40,15 @@ public:
     const Eigen::Affine3d identity = Eigen::Affine3d::Identity();
     for (const Model::Part& part : model.parts) {
       const Model::Geometry& geometry = model.geometries[part.geometry];
-      if (!geometry.targets.empty()) throw AMF::Input_error(name + ": has morph targets, which a simplified model would lose");
+      if (!geometry.targets.empty())
+        throw AMF::Input_error(name + ": has morph targets, which a simplified model would lose");
       std::vector<std::size_t> joints;
       if (part.skin == Model::none) {
         joints.push_back(joint(part.node, identity));
       } else {
         const Model::Skin& skin = model.skins[part.skin];
-        for (std::size_t j = 0; j < skin.joints.size(); ++j) joints.push_back(joint(skin.joints[j], skin.inverse_binds[j]));
+        for (std::size_t j = 0; j < skin.joints.size(); ++j)
+          joints.push_back(joint(skin.joints[j], skin.inverse_binds[j]));
       }
       m_joints.push_back(joints);
       // parts that a joint moves alike have the same coordinates
@@ -169,7 +171,8 @@ Json node_json(const Model& model, std::size_t i)
     if (model.nodes[c].parent == i) children.push_back(c);
   if (!children.empty()) json["children"] = children;
   const bool is_moved = std::any_of(model.clips.begin(), model.clips.end(), [&](const Model::Clip& clip) {
-    return std::any_of(clip.channels.begin(), clip.channels.end(), [&](const Model::Channel& c) { return c.node == i; });
+    return std::any_of(clip.channels.begin(), clip.channels.end(),
+                       [&](const Model::Channel& c) { return c.node == i; });
   });
   if (node.matrix && !is_moved) {
     json["matrix"] = std::vector<double>(node.matrix->matrix().data(), node.matrix->matrix().data() + 16);
@@ -188,15 +191,15 @@ Json clip_json(const Model::Clip& clip, Programs::Gltf_buffer& buffer)
   for (const Model::Channel& channel : clip.channels) {
     if (channel.path == Model::Path::WEIGHTS) continue;
     const IO::Keyframe_track& track = channel.track;
-    const char* const interpolation = track.interpolation == IO::Keyframe_track::Interpolation::STEP     ? "STEP"
-                                      : track.interpolation == IO::Keyframe_track::Interpolation::LINEAR ? "LINEAR"
-                                                                                                         : "CUBICSPLINE";
+    const char* const interpolation = track.interpolation == IO::Keyframe_track::Interpolation::STEP ? "STEP"
+                                      : track.interpolation == IO::Keyframe_track::Interpolation::LINEAR
+                                          ? "LINEAR"
+                                          : "CUBICSPLINE";
     const char* const path = channel.path == Model::Path::TRANSLATION ? "translation"
                              : channel.path == Model::Path::ROTATION  ? "rotation"
                                                                       : "scale";
     const auto found = inputs.find(track.times);
-    const std::size_t input =
-        found != inputs.end() ? found->second : buffer.add_with_bounds(floats(track.times), 1);
+    const std::size_t input = found != inputs.end() ? found->second : buffer.add_with_bounds(floats(track.times), 1);
     inputs.emplace(track.times, input);
     const std::size_t output = buffer.add(floats(track.values), track.width);
     json["channels"].push_back(
@@ -215,8 +218,8 @@ void put(std::ostream& os, std::size_t number)
 
 } // namespace
 
-void write_model(std::ostream& os, const Model& model, const IO::Vertex_origins& origins, const AMF::Animation_level& level,
-                 const std::string& name)
+void write_model(std::ostream& os, const Model& model, const IO::Vertex_origins& origins,
+                 const AMF::Animation_level& level, const std::string& name)
 {
   const Joined_skin skin(model, name);
   const Skinned_vertices vertices(skin, origins, level, name);
@@ -234,7 +237,8 @@ void write_model(std::ostream& os, const Model& model, const IO::Vertex_origins&
   const std::size_t indices = buffer.add(corners, 1);
   buffer.begin_view(Programs::Gltf_buffer::ANIMATION);
   std::vector<float> binds;
-  for (const Eigen::Affine3d& m : skin.inverse_binds()) binds.insert(binds.end(), m.matrix().data(), m.matrix().data() + 16);
+  for (const Eigen::Affine3d& m : skin.inverse_binds())
+    binds.insert(binds.end(), m.matrix().data(), m.matrix().data() + 16);
   const std::size_t inverse_binds = buffer.add(binds, 16);
 
   Json roots = Json::array(), nodes = Json::array();

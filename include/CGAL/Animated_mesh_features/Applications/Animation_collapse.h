@@ -89,24 +89,27 @@ inline Pose_collapses::Settings collapse_settings(const Simplification_options& 
 /*!
 \ingroup PkgAnimatedMeshFeaturesApplications
 
-The policies with which `CGAL::Surface_mesh_simplification::edge_collapse()` simplifies an animated mesh: cost, placement,
-filter and visitor, which share this object. Any of \cgal's stop predicates goes with them.
+The policies with which `CGAL::Surface_mesh_simplification::edge_collapse()` simplifies an animated mesh: cost,
+placement, filter and visitor, which share this object. Any of \cgal's stop predicates goes with them.
 
 \code
-Animation_collapse<Mesh> collapse(mesh, animation.vertex_index_map(), animation.rest_shape(), animation.trajectories(), options);
-SMS::edge_collapse(mesh, SMS::Count_stop_predicate<Mesh>(1000), parameters::get_cost(collapse.cost())
-                   .get_placement(collapse.placement()).filter(collapse.filter()).visitor(collapse.visitor()));
+Animation_collapse<Mesh, Index_map> collapse(mesh, index, animation.rest_shape(), animation.trajectories(), options);
+const auto cost = collapse.cost();
+const auto placement = collapse.placement();
+const auto filter = collapse.filter();
+SMS::edge_collapse(mesh, stop, parameters::get_cost(cost).get_placement(placement).filter(filter)
+                                   .visitor(collapse.visitor(SMS::Edge_collapse_visitor_base<Mesh>())));
 \endcode
 
 The cost of an edge is the sum, over poses, of the least value that the quadrics of its ends take together (A. Mohr,
-M. Gleicher, Deformation sensitive decimation, 2003). A vertex takes the place of two by weights of vertices of the original,
-the same in all frames, for which the summed quadrics are least: so it has a place in every frame, pose or not, and in any
-other animation of the mesh. The filter looks at all frames and the rest shape: no triangle's normal turns by more than
-the options allow.
+M. Gleicher, Deformation sensitive decimation, 2003). A vertex takes the place of two by weights of vertices of the
+original, the same in all frames, for which the summed quadrics are least: so it has a place in every frame, pose or
+not, and in any other animation of the mesh. The filter looks at all frames and the rest shape: no triangle's normal
+turns by more than the options allow.
 
 The mesh is the only thing that \cgal changes; this object keeps what belongs to its vertices. Several calls of
-`edge_collapse()`, one after the other, go on where the last one stopped. Vertices that must stay are told to this object,
-with `Simplification_options::fixed_vertices`; edges, by \cgal's `edge_is_constrained_map`.
+`edge_collapse()`, one after the other, go on where the last one stopped. Vertices that must stay are told to this
+object, with `Simplification_options::fixed_vertices`; edges, by \cgal's `edge_is_constrained_map`.
 
 \tparam TriangleMesh a model of `MutableFaceGraph` and `HalfedgeListGraph` with dynamic properties.
 \tparam VertexIndexMap readable, vertex descriptor to rank in the rest shape; ranks are kept while vertices are removed.
@@ -131,8 +134,8 @@ public:
   typedef Rest_shape::Index Index; ///< rank of a vertex
 
   /*!
-  computes the quadrics of all vertices, in parallel if oneTBB is there, in `O(N F)` time and `80 N P + 36 N (F + 1)` bytes for
-  `P` poses.
+  computes the quadrics of all vertices, in parallel if oneTBB is there, in `O(N F)` time and `80 N P + 36 N (F + 1)`
+  bytes for `P` poses.
 
   \param mesh is kept by reference; its points at rest are changed as vertices move.
   \param index the rank of each vertex.
@@ -192,8 +195,8 @@ public:
     };
   }
 
-  /// A model of \cgal's `EdgeCollapseSimplificationVisitor`, without which nothing is remembered. `Next` is a visitor that is
-  /// told everything, too, after this object.
+  /// A model of \cgal's `EdgeCollapseSimplificationVisitor`, without which nothing is remembered. `Next` is a visitor
+  /// that is told everything, too, after this object.
   template <class Next>
   struct Visitor : Next
   {
@@ -247,7 +250,8 @@ private:
   // All at the beginning, in parallel; CGAL asks one by one.
   void set_costs()
   {
-    std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> all(edges(*m_mesh).begin(), edges(*m_mesh).end());
+    std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> all(edges(*m_mesh).begin(),
+                                                                                 edges(*m_mesh).end());
     std::vector<double> costs(all.size());
     parallel_for<CGAL::Parallel_if_available_tag>(0, all.size(), [&](std::size_t e) {
       const halfedge_descriptor h = halfedge(all[e], *m_mesh);
@@ -313,7 +317,8 @@ private:
   void commit(const Profile& profile, vertex_descriptor v)
   {
     const std::size_t i = rank(profile.v0()), j = rank(profile.v1()), kept = rank(v);
-    if (!m_is_selected || profile.v0_v1() != m_selected) m_is_placed = false; // edges of no length, which nobody is asked about
+    if (!m_is_selected || profile.v0_v1() != m_selected)
+      m_is_placed = false; // edges of no length, which nobody is asked about
     if (!m_is_placed) m_collapses.place(i, j, {}, m_collapse);
     m_collapses.commit(kept, kept == i ? j : i, m_collapse);
     put(m_points, v, point(m_collapses.rest_point(kept)));

@@ -38,8 +38,9 @@ struct Plain_guidance
 /*!
 \ingroup PkgAnimatedMeshFeaturesApplications
 
-Places matter more where and while features are: in a frame at time \f$t\f$, at the distance \f$d\f$ along edges from a feature of
-the amplitude \f$a\f$ (relative to the largest), by \f$1 + s\,a\,e^{-d^2/2\sigma^2 - (t-t_0)^2/2\tau^2}\f$, of all features the most.
+Places matter more where and while features are: in a frame at time \f$t\f$, at the distance \f$d\f$ along edges from
+a feature of the amplitude \f$a\f$ (relative to the largest), by
+\f$1 + s\,a\,e^{-d^2/2\sigma^2 - (t-t_0)^2/2\tau^2}\f$, of all features the most.
 
 \cgalModels{CollapseGuidance}
 */
@@ -47,7 +48,8 @@ class Feature_guidance
 {
 public:
   /*!
-  computes the weights, in `O(k (log k + m))` for a feature with `k` vertices within \f$3\,\sigma\f$ in `m` frames, and `4 N F` bytes.
+  computes the weights, in `O(k (log k + m))` for a feature with `k` vertices within \f$3\,\sigma\f$ in `m` frames,
+  and `4 N F` bytes.
 
   \param rest the surface at rest, `N` vertices.
   \param frames the number of frames, `F`.
@@ -63,7 +65,8 @@ public:
     : m_strength(strength)
     , m_regions(rest.number_of_vertices(), frames)
   {
-    if (!(strength >= 0) || !std::isfinite(strength)) throw Option_error("the strength of guidance must not be negative");
+    if (!(strength >= 0) || !std::isfinite(strength))
+      throw Option_error("the strength of guidance must not be negative");
     if (!(frame_duration > 0)) throw Option_error("the time between two frames must be positive");
     double largest = 0;
     for (const Feature_point& f : features) largest = (std::max)(largest, f.amplitude);

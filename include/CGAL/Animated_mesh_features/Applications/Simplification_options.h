@@ -20,8 +20,8 @@ How an animated mesh is simplified. The defaults are those that were measured, s
 */
 struct Simplification_options
 {
-  /// the numbers of vertices that are wanted, one for each level of detail, each smaller than the one before. A level has
-  /// more where nothing else can be collapsed: without changing the topology, or without turning a triangle over.
+  /// the numbers of vertices that are wanted, one for each level of detail, each smaller than the one before. A level
+  /// has more where nothing else can be collapsed: without changing the topology, or without turning a triangle over.
   std::vector<std::size_t> vertices;
 
   /// the most poses whose quadrics are summed. An animation of up to as many frames is taken whole, of a longer one
@@ -35,16 +35,16 @@ struct Simplification_options
   /// planes: keeps the vertices of flat regions where they are dense, and triangles well shaped.
   double line_weight = 1e-3;
 
-  /// how much the distance from the plane that stands on a border edge counts, per squared length of the edge, relative to
-  /// that from the surface, per area.
+  /// how much the distance from the plane that stands on a border edge counts, per squared length of the edge,
+  /// relative to that from the surface, per area.
   double border_weight = 1;
 
-  /// the least cosine of the angle by which the normal of a triangle may turn in a collapse, in every frame and at rest;
-  /// not negative. The larger, the fewer collapses are possible.
+  /// the least cosine of the angle by which the normal of a triangle may turn in a collapse, in every frame and at
+  /// rest; not negative. The larger, the fewer collapses are possible.
   double least_cosine = .2;
 
-  /// the most vertices of the original that one vertex follows, at least 1. Four are needed to follow an affine motion from
-  /// outside of the surface.
+  /// the most vertices of the original that one vertex follows, at least 1. Four are needed to follow an affine
+  /// motion from outside of the surface.
   std::size_t support = 8;
 
   /// vertices that stay, by rank in `vertices(mesh)`, in any order.

@@ -19,8 +19,8 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesApplications
 
-One level of detail of an animated mesh: triangles, and how their vertices follow those of the original. Its positions in a
-frame are `binding.positions(trajectories.frame(f))`, at rest `binding.positions(rest.points())`, and in any other
+One level of detail of an animated mesh: triangles, and how their vertices follow those of the original. Its positions
+in a frame are `binding.positions(trajectories.frame(f))`, at rest `binding.positions(rest.points())`, and in any other
 animation of the same mesh just so.
 */
 struct Animation_level
@@ -34,7 +34,8 @@ struct Animation_level
   Vertex_binding binding;
 
   /// for each vertex of the original the vertex of this level that has taken its place; `Rest_shape::none` for one that
-  /// belongs to no triangle. Levels are nested: what one vertex has taken in one level stays together in all coarser ones.
+  /// belongs to no triangle. Levels are nested: what one vertex has taken in one level stays together in all coarser
+  /// ones.
   std::vector<Index> vertex_of;
 };
 

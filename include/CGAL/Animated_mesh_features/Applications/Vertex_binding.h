@@ -21,9 +21,9 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesApplications
 
-How the vertices of a coarse mesh follow those of a fine one: a sparse matrix of `M` rows, each of a few weights with sum 1,
-so that \f$\sum_i w_{vi}\,x_i\f$ moves with every translation, rotation and affine map of the vertices \f$x_i\f$. Weights may be
-negative: a vertex that lies off the fine surface is extrapolated.
+How the vertices of a coarse mesh follow those of a fine one: a sparse matrix of `M` rows, each of a few weights with
+sum 1, so that \f$\sum_i w_{vi}\,x_i\f$ moves with every translation, rotation and affine map of the vertices
+\f$x_i\f$. Weights may be negative: a vertex that lies off the fine surface is extrapolated.
 */
 class Vertex_binding
 {

@@ -25,10 +25,10 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesApplications
 
-chooses frames that stand for all: first those that are preferred, then again and again the one that is farthest from all
-that were chosen (T. F. Gonzalez, Clustering to minimize the maximum intercluster distance, 1985, which is within a factor of
-two of the best choice). Two poses are as far apart as the distances of 1,024 random pairs of vertices differ (root mean
-square), which do not change when the whole body moves.
+chooses frames that stand for all: first those that are preferred, then again and again the one that is farthest from
+all that were chosen (T. F. Gonzalez, Clustering to minimize the maximum intercluster distance, 1985, which is within
+a factor of two of the best choice). Two poses are as far apart as the distances of 1,024 random pairs of vertices
+differ (root mean square), which do not change when the whole body moves.
 
 \param rest the connectivity.
 \param trajectories `F` frames.

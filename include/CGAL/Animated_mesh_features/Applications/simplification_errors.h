@@ -33,16 +33,16 @@ How far a simplified surface is from the original in one frame. Lengths are in t
 */
 struct Simplification_error
 {
-  std::size_t frame = 0;        ///< from 0
-  double mean_to_original = 0;  ///< the mean distance of the coarse surface from the original
-  double mean_to_coarse = 0;    ///< the mean distance of the original from the coarse surface
-  double max_to_original = 0;   ///< the largest distance of the coarse surface from the original
-  double max_to_coarse = 0;     ///< the largest distance of the original from the coarse surface
-  double normal_angle = 0;      ///< the mean angle between normals, from the original to the coarse surface (degrees)
-  double mean_in_regions = 0;   ///< `mean_to_coarse` of what is in regions; 0 if nothing is
-  double mean_elsewhere = 0;    ///< `mean_to_coarse` of all the rest; 0 if there is none
-  double share_in_regions = 0;  ///< the share of the original's area that is in regions
-  std::size_t turned = 0;       ///< coarse triangles that look the other way than the original around them
+  std::size_t frame = 0;       ///< from 0
+  double mean_to_original = 0; ///< the mean distance of the coarse surface from the original
+  double mean_to_coarse = 0;   ///< the mean distance of the original from the coarse surface
+  double max_to_original = 0;  ///< the largest distance of the coarse surface from the original
+  double max_to_coarse = 0;    ///< the largest distance of the original from the coarse surface
+  double normal_angle = 0;     ///< the mean angle between normals, from the original to the coarse surface (degrees)
+  double mean_in_regions = 0;  ///< `mean_to_coarse` of what is in regions; 0 if nothing is
+  double mean_elsewhere = 0;   ///< `mean_to_coarse` of all the rest; 0 if there is none
+  double share_in_regions = 0; ///< the share of the original's area that is in regions
+  std::size_t turned = 0;      ///< coarse triangles that look the other way than the original around them
 
   /// the mean of both mean distances.
   double mean() const { return (mean_to_original + mean_to_coarse) / 2; }
@@ -61,8 +61,8 @@ struct Simplification_error_options
   /// which frames; empty: all.
   std::vector<std::size_t> frames;
 
-  /// about how many samples each surface has, besides all of its vertices and at least one a triangle; 0: twice as many as
-  /// the original has triangles.
+  /// about how many samples each surface has, besides all of its vertices and at least one a triangle; 0: twice as
+  /// many as the original has triangles.
   std::size_t samples = 0;
 
   /// `N x F`, positive where a vertex is in a region in a frame; null: no regions. See `feature_regions()`.
@@ -135,7 +135,8 @@ void measure_samples(const Surface_samples& from, const Measured_surface& source
 // Which way each coarse triangle looks, compared with the original around its corners.
 inline std::vector<double> look_at_corners(const Rest_shape& rest, const Measured_surface& fine,
                                            const std::vector<Rest_shape::Index>& vertex_of,
-                                           const std::vector<Rest_shape::Triangle>& triangles, const Measured_surface& coarse)
+                                           const std::vector<Rest_shape::Triangle>& triangles,
+                                           const Measured_surface& coarse)
 {
   std::vector<Rest_shape::Point> normals;
   for (std::size_t v = 0; v < vertex_of.size(); ++v) {
@@ -158,21 +159,21 @@ inline std::vector<double> look_at_corners(const Rest_shape& rest, const Measure
 /*!
 \ingroup PkgAnimatedMeshFeaturesApplications
 
-measures how far a simplified surface is from the original, in each frame. Both surfaces are sampled alike in all frames: at
-points that move with them.
+measures how far a simplified surface is from the original, in each frame. Both surfaces are sampled alike in all
+frames: at points that move with them.
 
 \param rest the original at rest.
 \param trajectories its `N` vertices in `F` frames.
 \param triangles of the coarse surface.
 \param rest_points of the coarse surface at rest.
-\param coarse a functor that returns the coarse surface's points in a frame, `std::vector<Rest_shape::Point>`; called from
-  several threads.
+\param coarse a functor that returns the coarse surface's points in a frame, `std::vector<Rest_shape::Point>`; called
+  from several threads.
 \param options what is measured.
 \returns one for each frame, in the order of `options.frames`.
 \throw Option_error if there is no such frame, or regions are of another size.
 
-For each frame \f$O(S \log N)\f$ for `S` samples, less where surfaces move little; on several threads if oneTBB is there. The result
-is the same bits whatever their number.
+For each frame \f$O(S \log N)\f$ for `S` samples, less where surfaces move little; on several threads if oneTBB is
+there. The result is the same bits whatever their number.
 */
 template <class FT, class Coarse>
 std::vector<Simplification_error>
@@ -185,7 +186,8 @@ simplification_errors(const Rest_shape& rest, const Vertex_trajectories<FT>& tra
   if (frames.empty())
     for (std::size_t f = 0; f < trajectories.number_of_frames(); ++f) frames.push_back(f);
   for (std::size_t f : frames)
-    if (f >= trajectories.number_of_frames()) throw Option_error("there is no frame " + std::to_string(f) + " to measure");
+    if (f >= trajectories.number_of_frames())
+      throw Option_error("there is no frame " + std::to_string(f) + " to measure");
   if (options.regions != nullptr && (options.regions->number_of_rows() != rest.number_of_vertices() ||
                                      options.regions->number_of_frames() != trajectories.number_of_frames()))
     throw Option_error("regions are not of this animation");
@@ -207,19 +209,20 @@ simplification_errors(const Rest_shape& rest, const Vertex_trajectories<FT>& tra
       Simplification_error& e = errors[k];
       e.frame = f;
       double area = 0, area_in = 0, in = 0;
-      internal::measure_samples(of_original, fine, other, guesses, [&](const auto& s, double a, double d, double cosine) {
-        area += a;
-        e.mean_to_coarse += a * d;
-        e.max_to_coarse = (std::max)(e.max_to_coarse, d);
-        e.normal_angle += a * std::acos(cosine) * 57.29577951308232;
-        if (options.regions == nullptr) return;
-        double inside = 0;
-        for (std::size_t c = 0; c < 3; ++c)
-          inside += (*options.regions)(rest.triangles()[s.triangle][c], f) > 0 ? s.place[c] : 0;
-        if (inside < .5) return;
-        area_in += a;
-        in += a * d;
-      });
+      internal::measure_samples(
+          of_original, fine, other, guesses, [&](const auto& s, double a, double d, double cosine) {
+            area += a;
+            e.mean_to_coarse += a * d;
+            e.max_to_coarse = (std::max)(e.max_to_coarse, d);
+            e.normal_angle += a * std::acos(cosine) * 57.29577951308232;
+            if (options.regions == nullptr) return;
+            double inside = 0;
+            for (std::size_t c = 0; c < 3; ++c)
+              inside += (*options.regions)(rest.triangles()[s.triangle][c], f) > 0 ? s.place[c] : 0;
+            if (inside < .5) return;
+            area_in += a;
+            in += a * d;
+          });
       if (area > area_in) e.mean_elsewhere = (e.mean_to_coarse - in) / (area - area_in);
       if (area_in > 0) e.mean_in_regions = in / area_in;
       if (area > 0) {
@@ -229,14 +232,16 @@ simplification_errors(const Rest_shape& rest, const Vertex_trajectories<FT>& tra
       }
       double coarse_area = 0;
       std::vector<double> look(triangles.size(), 0);
-      internal::measure_samples(of_coarse, other, fine, other_guesses, [&](const auto& s, double a, double d, double cosine) {
-        coarse_area += a;
-        e.mean_to_original += a * d;
-        e.max_to_original = (std::max)(e.max_to_original, d);
-        look[s.triangle] += s.share * cosine;
-      });
+      internal::measure_samples(of_coarse, other, fine, other_guesses,
+                                [&](const auto& s, double a, double d, double cosine) {
+                                  coarse_area += a;
+                                  e.mean_to_original += a * d;
+                                  e.max_to_original = (std::max)(e.max_to_original, d);
+                                  look[s.triangle] += s.share * cosine;
+                                });
       if (coarse_area > 0) e.mean_to_original /= coarse_area;
-      if (options.vertex_of != nullptr) look = internal::look_at_corners(rest, fine, *options.vertex_of, triangles, other);
+      if (options.vertex_of != nullptr)
+        look = internal::look_at_corners(rest, fine, *options.vertex_of, triangles, other);
       e.turned = std::size_t(std::count_if(look.begin(), look.end(), [](double x) { return x < 0; }));
     }
   });
@@ -251,9 +256,9 @@ the frame in which the mean distance is largest; the first of several.
 */
 inline const Simplification_error& worst_frame(const std::vector<Simplification_error>& errors)
 {
-  return *std::max_element(errors.begin(), errors.end(), [](const Simplification_error& a, const Simplification_error& b) {
-    return a.mean() < b.mean();
-  });
+  return *std::max_element(
+      errors.begin(), errors.end(),
+      [](const Simplification_error& a, const Simplification_error& b) { return a.mean() < b.mean(); });
 }
 
 } // namespace Animated_mesh_features

@@ -56,9 +56,10 @@ Collapsed_mesh mesh_to_collapse(const Animation& animation)
   for (auto f : faces(mesh)) {
     const auto h = halfedge(f, mesh);
     const auto vertex = [&](auto g) { return Vertex(Rest_shape::Index(get(index, target(g, mesh)))); };
-    if (copy.add_face(vertex(h), vertex(next(h, mesh)), vertex(next(next(h, mesh), mesh))) == Collapsed_mesh::null_face())
-      throw Input_error("the mesh is no surface around a face of the vertices " + std::to_string(get(index, target(h, mesh))) +
-                        ", ...: repair it first");
+    if (copy.add_face(vertex(h), vertex(next(h, mesh)), vertex(next(next(h, mesh), mesh))) ==
+        Collapsed_mesh::null_face())
+      throw Input_error("the mesh is no surface around a face of the vertices " +
+                        std::to_string(get(index, target(h, mesh))) + ", ...: repair it first");
   }
   return copy;
 }
@@ -137,30 +138,31 @@ Animation_level level_of(const Collapsed_mesh& mesh, const Collapse& collapse)
 /*!
 \ingroup PkgAnimatedMeshFeaturesApplications
 
-simplifies an animated mesh, for all of its frames at once: one coarse connectivity, or several, nested, whose vertices follow
-those of the original. See `Animation_collapse` for the method, `simplification_errors()` for what it costs.
+simplifies an animated mesh, for all of its frames at once: one coarse connectivity, or several, nested, whose
+vertices follow those of the original. See `Animation_collapse` for the method, `simplification_errors()` for what it
+costs.
 
-Topology stays: closed surfaces stay closed, each component keeps its genus and its borders. No triangle turns over in any
-frame, where it has not in the original.
+Topology stays: closed surfaces stay closed, each component keeps its genus and its borders. No triangle turns over in
+any frame, where it has not in the original.
 
 \tparam Animation a model of `MeshAnimation`.
 \tparam Guidance a model of `CollapseGuidance`.
-\tparam Watch a functor `bool(double)`, told how much is done, from 0 to 1, every few hundred edges, from the thread that
-  called; returns whether to go on.
+\tparam Watch a functor `bool(double)`, told how much is done, from 0 to 1, every few hundred edges, from the thread
+  that called; returns whether to go on.
 
 \param animation converted by `as_frame_sequence()` if it is no `Frame_sequence`.
 \param options of which `vertices` has no default.
 \param guidance where and when the surface matters more.
 \param watch who watches.
 
-\throw Option_error if no number of vertices is given, one is not smaller than the one before, the first is larger than the
-  number of vertices that belong to faces, or the last is less than four for each closed component and three for each with
-  a border; and as `Animation_collapse`.
+\throw Option_error if no number of vertices is given, one is not smaller than the one before, the first is larger
+  than the number of vertices that belong to faces, or the last is less than four for each closed component and three
+  for each with a border; and as `Animation_collapse`.
 \throw Input_error if the mesh is no 2-manifold.
 \throw Cancelled if `watch` has had enough.
 
-\f$O(N \log N\,P + N F)\f$ time for `P` poses; memory see `Animation_collapse`. The result is the same bits whatever the number of
-threads.
+\f$O(N \log N\,P + N F)\f$ time for `P` poses; memory see `Animation_collapse`. The result is the same bits whatever
+the number of threads.
 */
 template <class Animation, class Guidance = Plain_guidance, class Watch = Unwatched_simplification>
 Simplified_animation simplify_animation(const Animation& animation, const Simplification_options& options,
@@ -183,9 +185,9 @@ Simplified_animation simplify_animation(const Animation& animation, const Simpli
   const std::size_t from = vertices, last = options.vertices.back();
   for (std::size_t target : options.vertices) {
     const internal::Collapse_counter<Watch> counter(vertices, from, last, watch);
-    SMS::edge_collapse(mesh, internal::Vertex_count_stop(vertices, target),
-                       CGAL::parameters::get_cost(cost).get_placement(placement).filter(filter).visitor(
-                           collapse.visitor(counter)));
+    SMS::edge_collapse(
+        mesh, internal::Vertex_count_stop(vertices, target),
+        CGAL::parameters::get_cost(cost).get_placement(placement).filter(filter).visitor(collapse.visitor(counter)));
     result.levels.push_back(internal::level_of(mesh, collapse));
   }
   if (!watch(1.)) throw Cancelled();

@@ -27,8 +27,9 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// What collapses of edges need to know of an animation, whatever collapses them: for each vertex that is left its quadrics,
-// the vertices of the original that it follows, and where it is in every frame. Vertices are ranks in the original.
+// What collapses of edges need to know of an animation, whatever collapses them: for each vertex that is left its
+// quadrics, the vertices of the original that it follows, and where it is in every frame. Vertices are ranks in the
+// original.
 class Pose_collapses
 {
 public:
@@ -96,8 +97,8 @@ public:
     return sum;
   }
 
-  // The place of the vertex in place of i and j: the weights of vertices that these and their neighbours follow for which the
-  // quadrics, summed over poses, are least. `link`: the neighbours of both.
+  // The place of the vertex in place of i and j: the weights of vertices that these and their neighbours follow for
+  // which the quadrics, summed over poses, are least. `link`: the neighbours of both.
   void place(std::size_t i, std::size_t j, const std::vector<Index>& link, Collapse& c)
   {
     c.vertices.clear();
@@ -131,12 +132,13 @@ public:
     }
   }
 
-  // Whether the triangle turns over, or shrinks to nothing, in any column, when its first vertex moves: by its own normal, and
-  // by that of the original around its corners, so that it does not turn little by little. Where it is degenerate already,
-  // there is nothing to turn over.
+  // Whether the triangle turns over, or shrinks to nothing, in any column, when its first vertex moves: by its own
+  // normal, and by that of the original around its corners, so that it does not turn little by little. Where it is
+  // degenerate already, there is nothing to turn over.
   bool flips(std::size_t moved, std::size_t b, std::size_t d, const Collapse& c) const
   {
-    const float *const ax = m_current.row(moved, 0), *const ay = m_current.row(moved, 1), *const az = m_current.row(moved, 2);
+    const float *const ax = m_current.row(moved, 0), *const ay = m_current.row(moved, 1),
+                       *const az = m_current.row(moved, 2);
     const float *const bx = m_current.row(b, 0), *const by = m_current.row(b, 1), *const bz = m_current.row(b, 2);
     const float *const dx = m_current.row(d, 0), *const dy = m_current.row(d, 1), *const dz = m_current.row(d, 2);
     const float *const nx = c.rows[0].data(), *const ny = c.rows[1].data(), *const nz = c.rows[2].data();
@@ -158,7 +160,8 @@ public:
       const float sx = px[f] + qx[f] + rx[f], sy = py[f] + qy[f] + ry[f], sz = pz[f] + qz[f] + rz[f];
       const int against = int(sx * wx + sy * wy + sz * wz < 0) & int(sx * ox + sy * oy + sz * oz >= 0);
       const int was_flat = int(old_area <= 1e-12f * side * side);
-      const int turns = int(dot <= 0) | int(dot * dot < least * old_area * area) | int(area <= 1e-10f * side * side) | against;
+      const int turns =
+          int(dot <= 0) | int(dot * dot < least * old_area * area) | int(area <= 1e-10f * side * side) | against;
       bad |= turns & (1 - was_flat);
     }
     return bad != 0;
@@ -355,8 +358,9 @@ private:
     c.weights.swap(weights);
   }
 
-  // Changes the weights, whose sum stays 1, so that the quadrics are least, in the sense of least squares: each step u_k from
-  // the heaviest vertex to another one costs a little, and so does each step of the place, so that what does not matter stays.
+  // Changes the weights, whose sum stays 1, so that the quadrics are least, in the sense of least squares: each step
+  // u_k from the heaviest vertex to another one costs a little, and so does each step of the place, so that what does
+  // not matter stays.
   void improve(std::size_t i, std::size_t j, Collapse& c)
   {
     const std::size_t n = c.vertices.size() - 1;

@@ -18,16 +18,17 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// Where vertices are in each column: the poses first, then the other frames, then the rest shape. The coordinates of a vertex
-// are contiguous over the columns. Each column is relative to its own mean, so that a body that walks away loses no digits;
-// single precision, which is that of caches, is then a ten-millionth of the body.
+// Where vertices are in each column: the poses first, then the other frames, then the rest shape. The coordinates of
+// a vertex are contiguous over the columns. Each column is relative to its own mean, so that a body that walks away
+// loses no digits; single precision, which is that of caches, is then a ten-millionth of the body.
 class Pose_positions
 {
 public:
   Pose_positions() = default;
 
   template <class FT>
-  Pose_positions(const Rest_shape& rest, const Vertex_trajectories<FT>& trajectories, const std::vector<std::size_t>& columns)
+  Pose_positions(const Rest_shape& rest, const Vertex_trajectories<FT>& trajectories,
+                 const std::vector<std::size_t>& columns)
     : m_columns(columns.size() + 1)
     , m_values(3 * m_columns * rest.number_of_vertices())
   {

@@ -20,9 +20,9 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// For each vertex and pose a quadric x^T A x + 2 b^T x + c (M. Garland, P. S. Heckbert, Surface simplification using quadric
-// error metrics, 1997); of an edge, the sum over poses of the least value that the sum of its ends' quadrics takes (A. Mohr,
-// M. Gleicher, Deformation sensitive decimation, 2003).
+// For each vertex and pose a quadric x^T A x + 2 b^T x + c (M. Garland, P. S. Heckbert, Surface simplification using
+// quadric error metrics, 1997); of an edge, the sum over poses of the least value that the sum of its ends' quadrics
+// takes (A. Mohr, M. Gleicher, Deformation sensitive decimation, 2003).
 //
 // The ten coefficients of a vertex are rows of poses: loops run over poses.
 class Pose_quadrics
@@ -52,8 +52,10 @@ public:
   void add_plane(std::size_t v, std::size_t pose, const Rest_shape::Point& n, const Rest_shape::Point& p, double weight)
   {
     const double d = -n.dot(p);
-    add(v, pose, {{n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2], n[0] * d, n[1] * d,
-                   n[2] * d, d * d}}, weight);
+    add(v, pose,
+        {{n[0] * n[0], n[0] * n[1], n[0] * n[2], n[1] * n[1], n[1] * n[2], n[2] * n[2], n[0] * d, n[1] * d, n[2] * d,
+          d * d}},
+        weight);
   }
 
   // adds the squared distance from the line through p along the unit vector n, times a weight.
@@ -61,13 +63,15 @@ public:
   {
     const double along = n.dot(p);
     const Rest_shape::Point b = along * n - p;
-    add(v, pose, {{1 - n[0] * n[0], -n[0] * n[1], -n[0] * n[2], 1 - n[1] * n[1], -n[1] * n[2], 1 - n[2] * n[2], b[0], b[1],
-                   b[2], p.squaredNorm() - along * along}}, weight);
+    add(v, pose,
+        {{1 - n[0] * n[0], -n[0] * n[1], -n[0] * n[2], 1 - n[1] * n[1], -n[1] * n[2], 1 - n[2] * n[2], b[0], b[1], b[2],
+          p.squaredNorm() - along * along}},
+        weight);
   }
 
-  // The cost of an edge: in each pose the least value of the summed quadric, about the middle of the edge; where that is
-  // badly determined, in a plane or along a crease, the point near the middle. The step from the middle is that of a matrix
-  // which is made definite by a small multiple of its trace, and no longer than the edge.
+  // The cost of an edge: in each pose the least value of the summed quadric, about the middle of the edge; where that
+  // is badly determined, in a plane or along a crease, the point near the middle. The step from the middle is that of
+  // a matrix which is made definite by a small multiple of its trace, and no longer than the edge.
   double cost(std::size_t i, std::size_t j, const Pose_positions& positions) const
   {
     const double *const q = of(i), *const r = of(j);
@@ -82,13 +86,15 @@ public:
                    c = q[9 * n + p] + r[9 * n + p];
       const double x = (double(x0[p]) + double(x1[p])) / 2, y = (double(y0[p]) + double(y1[p])) / 2,
                    z = (double(z0[p]) + double(z1[p])) / 2;
-      const double dx = double(x1[p]) - double(x0[p]), dy = double(y1[p]) - double(y0[p]), dz = double(z1[p]) - double(z0[p]);
-      const double gx = xx * x + xy * y + xz * z + bx, gy = xy * x + yy * y + yz * z + by, gz = xz * x + yz * y + zz * z + bz;
+      const double dx = double(x1[p]) - double(x0[p]), dy = double(y1[p]) - double(y0[p]),
+                   dz = double(z1[p]) - double(z0[p]);
+      const double gx = xx * x + xy * y + xz * z + bx, gy = xy * x + yy * y + yz * z + by,
+                   gz = xz * x + yz * y + zz * z + bz;
       const double middle = x * (gx + bx) + y * (gy + by) + z * (gz + bz) + c;
       const double small = regularisation * (xx + yy + zz) + 1e-300;
       // L D L^T of three rows
-      const double d0 = xx + small, l1 = xy / d0, l2 = xz / d0, d1 = yy + small - l1 * xy, m = yz - l1 * xz, l3 = m / d1,
-                   d2 = zz + small - l2 * xz - l3 * m;
+      const double d0 = xx + small, l1 = xy / d0, l2 = xz / d0, d1 = yy + small - l1 * xy, m = yz - l1 * xz,
+                   l3 = m / d1, d2 = zz + small - l2 * xz - l3 * m;
       const double u0 = gx, u1 = gy - l1 * u0, u2 = gz - l2 * u0 - l3 * u1;
       const double s2 = u2 / d2, s1 = u1 / d1 - l3 * s2, s0 = u0 / d0 - l1 * s1 - l2 * s2;
       // the step is -s

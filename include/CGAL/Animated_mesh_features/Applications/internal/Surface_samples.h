@@ -20,8 +20,8 @@ namespace Animated_mesh_features {
 namespace internal {
 
 // Points of a surface that move with it: in each triangle at least one, in large ones more, by the sequence of
-// M. Roberts, The unreasonable effectiveness of quasirandom sequences, 2018 (additive, of the plastic number), folded into the
-// triangle; and all vertices, which count for the largest distance only.
+// M. Roberts, The unreasonable effectiveness of quasirandom sequences, 2018 (additive, of the plastic number), folded
+// into the triangle; and all vertices, which count for the largest distance only.
 struct Surface_samples
 {
   struct Sample
@@ -50,7 +50,8 @@ struct Surface_samples
         std::array<double, 3> b = {{1. / 3, 1. / 3, 1. / 3}};
         if (n > 1) {
           double unused;
-          double u = std::modf(.5 + .7548776662466927 * double(i), &unused), v = std::modf(.5 + .5698402909980532 * double(i), &unused);
+          double u = std::modf(.5 + .7548776662466927 * double(i), &unused),
+                 v = std::modf(.5 + .5698402909980532 * double(i), &unused);
           if (u + v > 1) u = 1 - u, v = 1 - v;
           b = {{1 - u - v, u, v}};
         }

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// The point of a triangle that is nearest to p, by the region of the plane in which p lies (C. Ericson, Real-Time Collision
-// Detection, 2005, sect. 5.1.5).
+// The point of a triangle that is nearest to p, by the region of the plane in which p lies (C. Ericson, Real-Time
+// Collision Detection, 2005, sect. 5.1.5).
 inline Rest_shape::Point nearest_in_triangle(const Rest_shape::Point& p, const Rest_shape::Point& a,
                                              const Rest_shape::Point& b, const Rest_shape::Point& c)
 {
@@ -45,8 +45,8 @@ inline Rest_shape::Point nearest_in_triangle(const Rest_shape::Point& p, const R
   return a + (vb / sum) * ab + (vc / sum) * ac;
 }
 
-// The triangles of a surface that moves, in a tree of boxes: its structure is made once, its boxes follow in linear time.
-// What was nearest a frame ago is where to look first.
+// The triangles of a surface that moves, in a tree of boxes: its structure is made once, its boxes follow in linear
+// time. What was nearest a frame ago is where to look first.
 class Triangle_tree
 {
 public:

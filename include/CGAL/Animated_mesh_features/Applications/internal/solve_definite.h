@@ -15,9 +15,9 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// Solves A x = b for a symmetric positive definite matrix of a few dozen rows, by A = L D L^T (G. H. Golub, C. F. Van Loan,
-// Matrix Computations, sect. 4.1). `a`: `n x n`, row after row, of which the lower triangle is read and overwritten; `b`
-// becomes x. Returns whether the matrix is definite; `b` is then of no use else.
+// Solves A x = b for a symmetric positive definite matrix of a few dozen rows, by A = L D L^T (G. H. Golub, C. F. Van
+// Loan, Matrix Computations, sect. 4.1). `a`: `n x n`, row after row, of which the lower triangle is read and
+// overwritten; `b` becomes x. Returns whether the matrix is definite; `b` is then of no use else.
 inline bool solve_definite(std::vector<double>& a, std::vector<double>& b, std::size_t n)
 {
   for (std::size_t j = 0; j < n; ++j) {
