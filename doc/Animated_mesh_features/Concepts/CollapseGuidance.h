@@ -8,8 +8,8 @@
 \ingroup PkgAnimatedMeshFeaturesConcepts
 \cgalConcept
 
-The concept `CollapseGuidance` describes where and when the surface of an animated mesh matters more, or less, while the mesh is
-simplified: a factor for the quadrics of a vertex in a pose.
+The concept `CollapseGuidance` describes where and when the surface of an animated mesh matters more, or less, while the
+mesh is simplified: a factor for the quadrics of a vertex in a pose.
 
 A model may be called from several threads at the same time.
 

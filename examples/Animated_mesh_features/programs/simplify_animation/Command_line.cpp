@@ -167,9 +167,10 @@ std::string usage()
   os << "Usage: simplify_animation INPUT... --ratio R -o BASE [options]\n\n"
      << Programs::input_help() << R"(
 Collapses edges of the mesh where that changes the surface least, in all poses together; no triangle turns over in any
-frame. Every vertex that is left follows a few vertices of the original by weights, in every frame. The table, the report
-and the plot tell how far each level is from the original: mean distances both ways, their worst frame, and the Hausdorff
-distance of samples, in % of the diagonal of the rest shape's bounding box.
+frame. Every vertex that is left follows a few vertices of the original by weights, in every frame.
+
+The table, the report and the plot tell how far each level is from the original: mean distances both ways, their worst
+frame, and the Hausdorff distance of samples, in % of the diagonal of the rest shape's bounding box.
 )" << groups
      << R"(
 Exit codes: 0 success, 1 failure, 2 wrong usage, 3 unusable input, 4 output cannot be written, 130 interrupted.
