@@ -70,7 +70,7 @@ if(TARGET detect_features)
   endforeach()
 endif()
 
-foreach(program IN ITEMS detect_features evaluate_features make_animation)
+foreach(program IN ITEMS compare_animations detect_features evaluate_features make_animation simplify_animation)
   if(TARGET ${program})
     install(TARGETS ${program} RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT programs)
   endif()

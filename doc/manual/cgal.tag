@@ -9,6 +9,7 @@
     <docanchor file="Manual/packages.html" title="The Heat Method">PkgHeatMethod</docanchor>
     <docanchor file="Manual/packages.html" title="Surface Mesh">PkgSurfaceMesh</docanchor>
     <docanchor file="Manual/packages.html" title="Bounding Volumes">PkgBoundingVolumes</docanchor>
+    <docanchor file="Manual/packages.html" title="Triangulated Surface Mesh Simplification">PkgSurfaceMeshSimplification</docanchor>
   </compound>
   <compound kind="page">
     <name>license</name>

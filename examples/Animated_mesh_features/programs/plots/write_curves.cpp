@@ -44,8 +44,8 @@ public:
         min = (std::min)(min, x);
         max = (std::max)(max, x);
       }
-    const Axis x = {min, max > min ? max : min + 1, left, right}, y = {0, 1, bottom, top};
-    draw_y_axis(m_canvas, y, linear_ticks(0, 1, 5), left, right, curves.y_name, m_style);
+    const Axis x = {min, max > min ? max : min + 1, left, right}, y = {0, curves.y_max > 0 ? curves.y_max : 1, bottom, top};
+    draw_y_axis(m_canvas, y, linear_ticks(0, y.max, 5), left, right, curves.y_name, m_style);
     draw_x_axis(m_canvas, x, linear_ticks(x.min, x.max, 8), bottom, curves.x_name, m_style);
     std::size_t i = 0;
     double row = top + 8;

@@ -23,11 +23,12 @@ struct Curve
   bool is_chance = false; // drawn thinly, in the colour of the curve before it
 };
 
-// Shares, from 0 to 1, over something.
+// Shares, from 0 to 1, or whatever else is not negative, over something.
 struct Curves
 {
   std::string title, subtitle, x_name, y_name;
   std::vector<Curve> curves;
+  double y_max = 1;
 };
 
 // Draws curves with their axes and a key.

@@ -63,7 +63,7 @@ void Gltf_buffer::append_to(nlohmann::ordered_json& gltf) const
                      {"byteOffset", a.offset},
                      {"componentType", a.component_type},
                      {"count", a.count},
-                     {"type", types[a.components - 1]}};
+                     {"type", a.components == 16 ? "MAT4" : types[a.components - 1]}};
     if (a.is_normalized) accessor["normalized"] = true;
     if (!a.bounds.min.empty()) {
       accessor["min"] = a.bounds.min;

@@ -82,6 +82,7 @@ private:
   // in glTF's own numbers
   static int component_type(std::int8_t) { return 5120; }
   static int component_type(std::uint8_t) { return 5121; }
+  static int component_type(std::uint16_t) { return 5123; }
   static int component_type(std::uint32_t) { return 5125; }
   static int component_type(float) { return 5126; }
 

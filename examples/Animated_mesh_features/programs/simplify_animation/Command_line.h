@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SIMPLIFY_ANIMATION_COMMAND_LINE_H
+#define SIMPLIFY_ANIMATION_COMMAND_LINE_H
+
+#include "options/Names.h"
+#include "reading/Reading_options.h"
+#include "running/Run_options.h"
+
+#include <CGAL/Animated_mesh_features/Applications/Simplification_options.h>
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace Simplify_animation {
+
+// How levels are written.
+enum class Form
+{
+  OBJ, // a mesh and a point cache
+  PLY, // a folder with a mesh for each frame
+  GLB  // of an animated model: the model, with its skeleton and all clips
+};
+
+Programs::Names<Form> names(Form);
+
+struct Command_line
+{
+  bool help = false, version = false;
+
+  Programs::Reading_options reading;
+  Programs::Run_options running;
+
+  // how much is to be left: one of them
+  std::vector<std::size_t> vertices;
+  std::vector<double> ratios;
+  std::optional<double> error; // % of the diagonal
+
+  CGAL::Animated_mesh_features::Simplification_options method;
+  std::string features; // file; empty: none
+  std::optional<double> strength;
+  std::vector<std::string> further; // point caches of other animations of the mesh
+
+  std::string base; // of the files that are written; empty: none
+  Form form = Form::OBJ;
+  std::string json, plot, binding; // files; empty: none
+
+  bool measures() const { return !json.empty() || !plot.empty() || error || !running.quiet; }
+};
+
+// throws Option_error.
+Command_line parse_command_line(int argc, const char* const* argv);
+
+std::string usage();
+
+} // namespace Simplify_animation
+
+#endif // SIMPLIFY_ANIMATION_COMMAND_LINE_H

@@ -1,0 +1,344 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_ANIMATION_COLLAPSE_H
+#define CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_ANIMATION_COLLAPSE_H
+
+#include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/Animation/Vertex_trajectories.h>
+#include <CGAL/Animated_mesh_features/Applications/Collapse_guidance.h>
+#include <CGAL/Animated_mesh_features/Applications/Simplification_options.h>
+#include <CGAL/Animated_mesh_features/Applications/Vertex_binding.h>
+#include <CGAL/Animated_mesh_features/Applications/choose_poses.h>
+#include <CGAL/Animated_mesh_features/Applications/internal/Pose_collapses.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
+
+#include <CGAL/Dynamic_property_map.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/tags.h>
+#include <CGAL/version.h>
+
+#if CGAL_VERSION_NR >= 1060000000
+  #include <optional>
+#else
+  #include <boost/optional.hpp>
+#endif
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+
+namespace internal {
+
+// what CGAL's simplification takes and returns
+#if CGAL_VERSION_NR >= 1060000000
+template <class T>
+using Collapse_optional = std::optional<T>;
+#else
+template <class T>
+using Collapse_optional = boost::optional<T>;
+#endif
+
+// frames in the order of columns: poses, then all others
+inline std::vector<std::size_t> pose_columns(const std::vector<std::size_t>& poses, std::size_t frames)
+{
+  std::vector<std::size_t> columns = poses;
+  std::vector<char> is_pose(frames, 0);
+  for (std::size_t f : poses) is_pose[f] = 1;
+  for (std::size_t f = 0; f < frames; ++f)
+    if (is_pose[f] == 0) columns.push_back(f);
+  return columns;
+}
+
+inline std::vector<char> fixed_vertices(const Simplification_options& o, std::size_t vertices)
+{
+  std::vector<char> is_fixed(vertices, 0);
+  for (std::size_t v : o.fixed_vertices) {
+    if (v >= vertices)
+      throw Option_error("there is no vertex " + std::to_string(v) + " to be fixed; the mesh has " +
+                         std::to_string(vertices));
+    is_fixed[v] = 1;
+  }
+  return is_fixed;
+}
+
+inline Pose_collapses::Settings collapse_settings(const Simplification_options& o)
+{
+  const auto check = [](double x, double most, const char* what) {
+    if (!(x >= 0 && x <= most)) throw Option_error(std::string(what) + " is " + std::to_string(x) + ", out of range");
+  };
+  check(o.line_weight, 1e6, "the line weight");
+  check(o.border_weight, 1e6, "the border weight");
+  check(o.least_cosine, .999, "the least cosine");
+  if (o.support == 0 || o.support > 64) throw Option_error("a vertex can follow 1 to 64 vertices");
+  return {o.line_weight, o.border_weight, o.least_cosine, o.support};
+}
+
+} // namespace internal
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesApplications
+
+The policies with which `CGAL::Surface_mesh_simplification::edge_collapse()` simplifies an animated mesh: cost,
+placement, filter and visitor, which share this object. Any of \cgal's stop predicates goes with them.
+
+\code
+Animation_collapse<Mesh, Index_map> collapse(mesh, index, animation.rest_shape(), animation.trajectories(), options);
+const auto cost = collapse.cost();
+const auto placement = collapse.placement();
+const auto filter = collapse.filter();
+SMS::edge_collapse(mesh, stop, parameters::get_cost(cost).get_placement(placement).filter(filter)
+                                   .visitor(collapse.visitor(SMS::Edge_collapse_visitor_base<Mesh>())));
+\endcode
+
+The cost of an edge is the sum, over poses, of the least value that the quadrics of its ends take together (A. Mohr,
+M. Gleicher, Deformation sensitive decimation, 2003). A vertex takes the place of two by weights of vertices of the
+original, the same in all frames, for which the summed quadrics are least: so it has a place in every frame, pose or
+not, and in any other animation of the mesh. The filter looks at all frames and the rest shape: no triangle's normal
+turns by more than the options allow.
+
+The mesh is the only thing that \cgal changes; this object keeps what belongs to its vertices. Several calls of
+`edge_collapse()`, one after the other, go on where the last one stopped. Vertices that must stay are told to this
+object, with `Simplification_options::fixed_vertices`; edges, by \cgal's `edge_is_constrained_map`.
+
+\tparam TriangleMesh a model of `MutableFaceGraph` and `HalfedgeListGraph` with dynamic properties.
+\tparam VertexIndexMap readable, vertex descriptor to rank in the rest shape; ranks are kept while vertices are removed.
+*/
+template <class TriangleMesh, class VertexIndexMap>
+class Animation_collapse
+{
+  typedef internal::Pose_collapses Collapses;
+  typedef typename boost::graph_traits<TriangleMesh>::vertex_descriptor vertex_descriptor;
+  typedef typename boost::graph_traits<TriangleMesh>::halfedge_descriptor halfedge_descriptor;
+  typedef typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type Vertex_point_map;
+  typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
+
+  struct Edge_cost
+  {
+    double cost = 0;
+    std::uint32_t stamp = 0, is_known = 0;
+  };
+  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<Edge_cost>>::type Costs;
+
+public:
+  typedef Rest_shape::Index Index; ///< rank of a vertex
+
+  /*!
+  computes the quadrics of all vertices, in parallel if oneTBB is there, in `O(N F)` time and `80 N P + 36 N (F + 1)`
+  bytes for `P` poses.
+
+  \param mesh is kept by reference; its points at rest are changed as vertices move.
+  \param index the rank of each vertex.
+  \param rest the surface at rest.
+  \param trajectories the positions in all frames.
+  \param options of which the number of vertices is not used.
+  \param guidance a model of `CollapseGuidance`.
+  \throw Option_error if an option is out of its range.
+  */
+  template <class FT, class Guidance = Plain_guidance>
+  Animation_collapse(TriangleMesh& mesh, VertexIndexMap index, const Rest_shape& rest,
+                     const Vertex_trajectories<FT>& trajectories, const Simplification_options& options,
+                     const Guidance& guidance = Guidance())
+    : m_mesh(&mesh)
+    , m_index(index)
+    , m_points(get(CGAL::vertex_point, mesh))
+    , m_costs(get(CGAL::dynamic_edge_property_t<Edge_cost>(), mesh))
+    , m_poses(choose_poses(rest, trajectories, options.poses, options.preferred_poses))
+    , m_collapses(
+          rest, trajectories, internal::pose_columns(m_poses, trajectories.number_of_frames()), m_poses.size(),
+          internal::fixed_vertices(options, rest.number_of_vertices()), internal::collapse_settings(options),
+          [&](std::size_t v, std::size_t pose) { return guidance(v, m_poses[pose]); },
+          [](std::size_t n, const auto& task) { parallel_for<CGAL::Parallel_if_available_tag>(0, n, task); })
+  {
+    const Rest_shape::Point& first = rest.points().front();
+    const std::array<double, 3> relative = m_collapses.rest_point(0);
+    for (int axis = 0; axis < 3; ++axis) m_centre[axis] = first[axis] - relative[axis];
+    set_costs();
+  }
+
+  Animation_collapse(const Animation_collapse&) = delete;
+  Animation_collapse& operator=(const Animation_collapse&) = delete;
+
+  /// the frames whose quadrics are summed.
+  const std::vector<std::size_t>& poses() const { return m_poses; }
+
+  /// the cost of an edge (a volume to the power of 4/3: squared length times area, summed over poses).
+  auto cost()
+  {
+    return [this](const auto& profile, const auto&) {
+      return internal::Collapse_optional<typename std::decay_t<decltype(profile)>::FT>(cost_of(profile.v0_v1()));
+    };
+  }
+
+  /// where the vertex is at rest that an edge becomes.
+  auto placement()
+  {
+    return [this](const auto& profile) { return internal::Collapse_optional<Point>(place(profile)); };
+  }
+
+  /// refuses what would turn a triangle over in any frame.
+  auto filter()
+  {
+    return [this](const auto& profile, const auto& placement) {
+      typedef std::decay_t<decltype(placement)> Placement;
+      return is_allowed(profile) ? placement : Placement();
+    };
+  }
+
+  /// A model of \cgal's `EdgeCollapseSimplificationVisitor`, without which nothing is remembered. `Next` is a visitor
+  /// that is told everything, too, after this object.
+  template <class Next>
+  struct Visitor : Next
+  {
+    /// \cond SKIP_IN_MANUAL
+    Visitor(Animation_collapse* collapse, const Next& next)
+      : Next(next)
+      , m_collapse(collapse)
+    {}
+
+    template <class Profile, class Cost, class Size>
+    void OnSelected(const Profile& profile, const Cost& cost, Size initial, Size current)
+    {
+      m_collapse->m_selected = profile.v0_v1();
+      m_collapse->m_is_selected = true;
+      m_collapse->m_is_placed = false;
+      Next::OnSelected(profile, cost, initial, current);
+    }
+
+    template <class Profile, class Vertex>
+    void OnCollapsed(const Profile& profile, const Vertex& v)
+    {
+      m_collapse->commit(profile, v);
+      Next::OnCollapsed(profile, v);
+    }
+
+  private:
+    Animation_collapse* m_collapse;
+    /// \endcond
+  };
+
+  /// the visitor, which tells `next`.
+  template <class Next>
+  Visitor<Next> visitor(const Next& next)
+  {
+    return Visitor<Next>(this, next);
+  }
+
+  /// appends what a vertex that is left follows.
+  void bind(vertex_descriptor v, Vertex_binding& binding) const
+  {
+    const std::size_t i = get(m_index, v);
+    binding.push_back(m_collapses.vertices(i), m_collapses.weights(i));
+  }
+
+  /// for each vertex of the original the rank of the one that has taken its place, or its own. Linear time.
+  std::vector<Index> survivors() const { return m_collapses.survivors(); }
+
+private:
+  std::size_t rank(vertex_descriptor v) const { return std::size_t(get(m_index, v)); }
+
+  // All at the beginning, in parallel; CGAL asks one by one.
+  void set_costs()
+  {
+    std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> all(edges(*m_mesh).begin(),
+                                                                                 edges(*m_mesh).end());
+    std::vector<double> costs(all.size());
+    parallel_for<CGAL::Parallel_if_available_tag>(0, all.size(), [&](std::size_t e) {
+      const halfedge_descriptor h = halfedge(all[e], *m_mesh);
+      costs[e] = m_collapses.cost(rank(source(h, *m_mesh)), rank(target(h, *m_mesh)));
+    });
+    for (std::size_t e = 0; e < all.size(); ++e) put(m_costs, all[e], Edge_cost{costs[e], 0, 1});
+  }
+
+  // CGAL asks for all edges near a collapse, of which most have not changed.
+  double cost_of(halfedge_descriptor h)
+  {
+    const std::size_t i = rank(source(h, *m_mesh)), j = rank(target(h, *m_mesh));
+    const std::uint32_t stamp = (std::max)(m_collapses.stamp(i), m_collapses.stamp(j));
+    const auto e = edge(h, *m_mesh);
+    const Edge_cost known = get(m_costs, e);
+    if (known.is_known != 0 && known.stamp == stamp) return known.cost;
+    const double cost = m_collapses.cost(i, j);
+    put(m_costs, e, Edge_cost{cost, stamp, 1});
+    return cost;
+  }
+
+  Point point(const std::array<double, 3>& relative) const
+  {
+    return Point(m_centre[0] + relative[0], m_centre[1] + relative[1], m_centre[2] + relative[2]);
+  }
+
+  // Of an edge that is about to be collapsed, its place; of others, of which only the cost is wanted, any.
+  template <class Profile>
+  Point place(const Profile& profile)
+  {
+    if (!m_is_selected || profile.v0_v1() != m_selected) return profile.p0();
+    compute(profile);
+    return point(m_collapses.rest_point(m_collapse));
+  }
+
+  template <class Profile>
+  void compute(const Profile& profile)
+  {
+    if (m_is_placed) return;
+    m_link.clear();
+    for (vertex_descriptor v : profile.link()) m_link.push_back(Index(rank(v)));
+    m_collapses.place(rank(profile.v0()), rank(profile.v1()), m_link, m_collapse);
+    m_is_placed = true;
+  }
+
+  template <class Profile>
+  bool is_allowed(const Profile& profile)
+  {
+    const std::size_t i = rank(profile.v0()), j = rank(profile.v1());
+    if (m_collapses.is_fixed(i) && m_collapses.is_fixed(j)) return false;
+    compute(profile);
+    for (const auto& t : profile.triangles()) {
+      std::array<std::size_t, 3> r = {{rank(t.v0), rank(t.v1), rank(t.v2)}};
+      const auto moves = [&](std::size_t k) { return int(r[k] == i || r[k] == j); };
+      if (moves(0) + moves(1) + moves(2) != 1) continue;
+      const std::size_t k = moves(0) ? 0 : moves(1) ? 1 : 2;
+      if (m_collapses.flips(r[k], r[(k + 1) % 3], r[(k + 2) % 3], m_collapse)) return false;
+    }
+    return true;
+  }
+
+  template <class Profile>
+  void commit(const Profile& profile, vertex_descriptor v)
+  {
+    const std::size_t i = rank(profile.v0()), j = rank(profile.v1()), kept = rank(v);
+    if (!m_is_selected || profile.v0_v1() != m_selected)
+      m_is_placed = false; // edges of no length, which nobody is asked about
+    if (!m_is_placed) m_collapses.place(i, j, {}, m_collapse);
+    m_collapses.commit(kept, kept == i ? j : i, m_collapse);
+    put(m_points, v, point(m_collapses.rest_point(kept)));
+    m_is_selected = m_is_placed = false;
+  }
+
+  TriangleMesh* m_mesh;
+  VertexIndexMap m_index;
+  Vertex_point_map m_points;
+  Costs m_costs;
+  std::vector<std::size_t> m_poses;
+  Collapses m_collapses;
+  double m_centre[3];
+  halfedge_descriptor m_selected = halfedge_descriptor();
+  bool m_is_selected = false, m_is_placed = false;
+  std::vector<Index> m_link;
+  Collapses::Collapse m_collapse;
+};
+
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_ANIMATION_COLLAPSE_H
