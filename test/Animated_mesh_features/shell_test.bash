@@ -5,15 +5,16 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Shared by the tests of the programs, which are given to them as DETECT_FEATURES, MAKE_ANIMATION and
-# EVALUATE_FEATURES; to be sourced. Sets `tests`, this folder, `program`, `generator` and `evaluator`, the programs or
-# nothing, and `failed`, the exit code to end with.
+# Shared by the tests of the programs, which are given to them as DETECT_FEATURES, MAKE_ANIMATION, EVALUATE_FEATURES and
+# COMPARE_ANIMATIONS; to be sourced. Sets `tests`, this folder, `program`, `generator`, `evaluator` and `comparer`, the
+# programs or nothing, and `failed`, the exit code to end with.
 
 set -u
 tests="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 program="${DETECT_FEATURES:-}"
 generator="${MAKE_ANIMATION:-}"
 evaluator="${EVALUATE_FEATURES:-}"
+comparer="${COMPARE_ANIMATIONS:-}"
 failed=0
 checks=0
 export PYTHONDONTWRITEBYTECODE=1
@@ -36,6 +37,7 @@ needs() {
     case "$what" in
       detect_features) [[ -n "$program" ]] || missing+=" DETECT_FEATURES" ;;
       evaluate_features) [[ -n "$evaluator" ]] || missing+=" EVALUATE_FEATURES" ;;
+      compare_animations) [[ -n "$comparer" ]] || missing+=" COMPARE_ANIMATIONS" ;;
       make_animation) [[ -n "$generator" ]] || missing+=" MAKE_ANIMATION" ;;
       *) command -v "$what" >/dev/null || missing+=" $what" ;;
     esac

@@ -59,10 +59,10 @@ inline Time_alignment align_animations(const Activity& a, const Activity& b,
           options.end_weight);
       others.push_back(cost.relative(other.cost()));
     }
-    // the best surrogate but one: half of them are worse than the alignment by a good deal even if it is by chance
-    std::sort(others.begin(), others.end());
-    const double chance = others[(std::min)(std::size_t(1), others.size() - 1)];
-    if (chance > 0) result.confidence = (std::min)((std::max)(1 - result.cost / chance, 0.), 1.);
+    double mean = 0, squares = 0;
+    for (double c : others) mean += c / double(others.size());
+    for (double c : others) squares += (c - mean) * (c - mean) / double(others.size());
+    if (squares > 0) result.confidence = (mean - result.cost) / std::sqrt(squares);
   }
   if (a.cycle.period > 0 && b.cycle.period > 0) result.phase = internal::cyclic_phase(a, b, cost);
   return result;

@@ -28,7 +28,7 @@ namespace Animated_mesh_features {
 \ingroup PkgAnimatedMeshFeaturesDescriptors
 
 Takes the samples of a field around a feature, see `Feature_neighbourhood`: the vertices within \f$3\,\sigma\f$ on the
-rest shape, by a discrete exponential map, and 25 times from \f$-3\,\tau\f$ to \f$3\,\tau\f$, whatever the frame rate;
+rest shape, by a discrete exponential map \cgalCite{schmidt2006}, and 25 times from \f$-3\,\tau\f$ to \f$3\,\tau\f$, whatever the frame rate;
 between frames the field is linear, beyond the first and last one it is mirrored. The gradient on the surface is the mean
 of the triangles' around a vertex, by area; that in time is the difference of the samples before and after.
 

@@ -29,7 +29,7 @@ Tells where on a body a place is without a word about other bodies: by how much 
 A number of landmarks are spread over the rest shape, each the vertex that is farthest from those before it (farthest-point
 sampling, Gonzalez 1985), and each stands for the vertices nearest to it. Of them are known, for any vertex \f$v\f$:
 - the mean distance \f$e(v) = \sum_l a_l\,d(v,l) / (\ell \sum_l a_l)\f$ to all of the surface, in units of its own mean
-  \f$\ell\f$ over the surface (Hilaga et al. 2001): some 0.7 in the middle of a body, 1.7 at the tips of its limbs;
+  \f$\ell\f$ over the surface \cgalCite{hilaga2001}: some 0.7 in the middle of a body, 1.7 at the tips of its limbs;
 - the profile, the shares of the surface within eight distances, from 0.15 to 2 \f$\ell\f$, of which small ones tell how
   thick the limb is and large ones how far out on it.
 
