@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Which time of one animation is which of another one that does the same, now slower and now faster, and how unlike they are.
-// The field is one of your own here; of a deformation it is the same.
+// Which time of one animation is which of another one that does the same, now slower and now faster, and how unlike
+// they are. The field is one of your own here; of a deformation it is the same.
 
 #include <CGAL/Animated_mesh_features/Applications/align_animations.h>
 #include <CGAL/Animated_mesh_features/Applications/animation_activity.h>
@@ -37,7 +37,7 @@ AMF::Activity wave(std::size_t frames, double frame_duration, const Clock& clock
 int main()
 {
   const auto warped = [](double t) { return t + 0.12 * std::sin(2.1 * t); };
-  const AMF::Activity a = wave(60, 1. / 20, warped);                       // at 20 frames a second
+  const AMF::Activity a = wave(60, 1. / 20, warped);                     // at 20 frames a second
   const AMF::Activity b = wave(90, 1. / 30, [](double t) { return t; }); // at 30
 
   //! [align]

@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The same motion on two meshes that have nothing to do with each other: which feature of one is which of the other. Features
-// are described by the field around them and by their place on the body.
+// The same motion on two meshes that have nothing to do with each other: which feature of one is which of the other.
+// Features are described by the field around them and by their place on the body.
 
 #include "generators/bending_cylinder.h"
 
@@ -52,13 +52,13 @@ AMF::Described_features described(std::size_t vertices_around)
 
 int main()
 {
-  const AMF::Described_features a = described(16), b = described(22);
+  const AMF::Described_features a = described(18), b = described(24);
   //! [match]
   const std::vector<AMF::Feature_match> matches = AMF::match_features(a, b);
   for (const AMF::Feature_match& m : matches) {
     const AMF::Feature_point &f = a.features[m.a], &g = b.features[m.b];
-    std::cout << "height " << f.rest_position[2] << " and " << g.rest_position[2] << ", time " << f.time << " s and " << g.time
-              << " s, confidence " << m.confidence << std::endl;
+    std::cout << "height " << f.rest_position[2] << " and " << g.rest_position[2] << ", time " << f.time << " s and "
+              << g.time << " s, confidence " << m.confidence << std::endl;
   }
   //! [match]
   return matches.empty() ? 1 : 0;

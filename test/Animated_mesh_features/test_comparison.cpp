@@ -88,7 +88,7 @@ double difference(const std::vector<float>& a, const std::vector<float>& b)
   return Amf::descriptor_distance(a.data(), b.data(), a.size());
 }
 
-// ------------------------------------------------------------------------------------------------------- neighbourhoods
+// --------------------------------------------------------------------------------------------------- neighbourhoods
 
 // On a plane the log map is the plane itself, and the gradient of a linear field is exact.
 void test_neighbourhood()
@@ -99,7 +99,8 @@ void test_neighbourhood()
   const std::size_t centre = nearest_vertex(square.points, Vec(0.5, 0.5, 0));
   const Vec slope(0.7, -0.4, 0);
   const double rate = 0.3, duration = 0.1;
-  const Field field = field_of(square.points, 41, duration, [&](const Vec& p, double t) { return slope.dot(p) + rate * t; });
+  const Field field =
+      field_of(square.points, 41, duration, [&](const Vec& p, double t) { return slope.dot(p) + rate * t; });
   Feature f = feature_at(centre, 2.03, 0.1, 0.4);
   Amf::Neighbourhood_sampler<double> sampler(shape, field, duration);
   const Amf::Feature_neighbourhood n = sampler(f);
@@ -119,7 +120,8 @@ void test_neighbourhood()
     ++i;
   }
   // counterclockwise from outside: two known vertices
-  const Vec a = square.points[centre + 1] - square.points[centre], b = square.points[centre + 17] - square.points[centre];
+  const Vec a = square.points[centre + 1] - square.points[centre],
+            b = square.points[centre + 17] - square.points[centre];
   double x[2] = {0, 0}, y[2] = {0, 0};
   for (const auto& v : n.vertices) {
     const double r = std::hypot(v.x, v.y) * f.sigma;
@@ -132,7 +134,7 @@ void test_neighbourhood()
   CHECK_THROWS(Amf::Option_error, Amf::Neighbourhood_sampler<double>(shape, Field(3, 5), 1), "the field is 3 x 5");
 }
 
-// ---------------------------------------------------------------------------------------------------------- descriptors
+// ------------------------------------------------------------------------------------------------------ descriptors
 
 // something without symmetry around the feature
 double event(const Vec& p, double t)
@@ -201,11 +203,11 @@ void test_descriptors()
   const Shape coarse_square = irregular_square(20, random);
   const std::size_t near = nearest_vertex(coarse_square.points, square.points[centre]);
   const Rest_shape coarse = rest_shape_of(coarse_square);
-  const double resampled = difference(free, described(coarse, field_of(coarse_square.points, 45, duration, event), duration,
-                                                      feature_at(near, 1, 0.12, 0.3), Rotation_free()));
+  const double resampled = difference(free, described(coarse, field_of(coarse_square.points, 45, duration, event),
+                                                      duration, feature_at(near, 1, 0.12, 0.3), Rotation_free()));
   const double different = difference(
-      free, described(shape, field, duration, feature_at(nearest_vertex(square.points, Vec(0.7, 0.56, 0)), 1.3, 0.12, 0.3),
-                      Rotation_free()));
+      free, described(shape, field, duration,
+                      feature_at(nearest_vertex(square.points, Vec(0.7, 0.56, 0)), 1.3, 0.12, 0.3), Rotation_free()));
   CHECK(resampled < 0.5 * different);
   // the refined place is what counts: the same as that of the vertex it lies on
   Feature placed = feature_at(centre + 1, 1, 0.12, 0.3);
@@ -216,7 +218,7 @@ void test_descriptors()
   CHECK(length_of(described(shape, Field(square.points.size(), 45), duration, f, Oriented())) == 0);
 }
 
-// ------------------------------------------------------------------------------------------------------------ landmarks
+// -------------------------------------------------------------------------------------------------------- landmarks
 
 void test_landmarks()
 {
@@ -229,7 +231,7 @@ void test_landmarks()
   landmarks.profile(5, profile);
   CHECK(std::is_sorted(profile, profile + Amf::Surface_landmarks::profile_length));
   CHECK_NEAR(profile[Amf::Surface_landmarks::profile_length - 1], 1, 0.02); // all of it within pi, twice the mean
-  CHECK_NEAR(profile[4], 0.5, 0.06);                                       // half of it within the mean
+  CHECK_NEAR(profile[4], 0.5, 0.06);                                        // half of it within the mean
 
   // with all vertices as landmarks, the plain mean over all paths
   Random random(3);
@@ -257,7 +259,7 @@ void test_landmarks()
   for (std::size_t i = 0; i < n; ++i) CHECK_NEAR(all.eccentricity(i), means[i] / mean, 1e-6);
 }
 
-// ------------------------------------------------------------------------------------------------------------- matching
+// --------------------------------------------------------------------------------------------------------- matching
 
 // Features at places in space, with straight distances, told apart by sigma only.
 Amf::Described_features body(const Points& places, const std::vector<double>& times, const std::vector<double>& sigmas)
@@ -334,7 +336,7 @@ void test_matching()
   CHECK_THROWS(Amf::Option_error, Amf::match_features(a, a, options), "ratio");
 }
 
-// ------------------------------------------------------------------------------------------------------------ alignment
+// -------------------------------------------------------------------------------------------------------- alignment
 
 // A motion of some places that deform one after the other, at times that `clock` maps to its own.
 template <class Clock>
@@ -444,8 +446,8 @@ void test_alignment()
   CHECK_THROWS(Amf::Option_error, Amf::align_animations(x, y, options), "slope");
   Amf::Activity_options finer;
   finer.sample_duration = 1. / 60;
-  CHECK_THROWS(Amf::Option_error,
-               Amf::align_animations(a, Amf::animation_activity(Field(1, 9), {1.}, {}, 0.1, finer)), "activities");
+  CHECK_THROWS(Amf::Option_error, Amf::align_animations(a, Amf::animation_activity(Field(1, 9), {1.}, {}, 0.1, finer)),
+               "activities");
 }
 
 void test_distance()
@@ -490,7 +492,7 @@ void test_cycles()
   CHECK(motion(109, frame, [](double t) { return t; }).cycle.period == 0);
 }
 
-// --------------------------------------------------------------------------------------------------------------- events
+// ----------------------------------------------------------------------------------------------------------- events
 
 void test_events()
 {

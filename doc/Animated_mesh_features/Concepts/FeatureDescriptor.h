@@ -8,8 +8,8 @@
 \ingroup PkgAnimatedMeshFeaturesConcepts
 \cgalConcept
 
-The concept `FeatureDescriptor` describes how the field around a feature becomes numbers that can be compared with those of
-other features, by their Euclidean distance.
+The concept `FeatureDescriptor` describes how the field around a feature becomes numbers that can be compared with those
+of other features, by their Euclidean distance.
 
 A model is copy-constructible. It may be called from several threads at the same time.
 
@@ -29,8 +29,8 @@ public:
   /*!
   describes a feature.
 
-  The direction of the neighbourhood's first axis is arbitrary: what is not to depend on it must not use it, or replace it
-  by one that follows from the samples.
+  The direction of the neighbourhood's first axis is arbitrary: what is not to depend on it must not use it, or replace
+  it by one that follows from the samples.
 
   \param neighbourhood the samples of the field around the feature.
   \param out receives `length()` numbers.

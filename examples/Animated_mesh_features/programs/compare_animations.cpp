@@ -4,8 +4,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Compares animations of different meshes: which events they have in common, which time of one is which of the other, how
-// unlike they are, and which of a collection is most alike.
+// Compares animations of different meshes: which events they have in common, which time of one is which of the other,
+// how unlike they are, and which of a collection is most alike.
 
 #include "compare_animations/Command_line.h"
 #include "running/run_program.h"

@@ -67,7 +67,8 @@ void add_comparison_options(Option_group& group, Settings& s)
             [&](const Argument& a) { s.activity.sample_duration = 1 / a.positive_number(); });
   weight("place-weight", "how much the places of deformation count in the alignment (default: 1)",
          s.alignment.place_weight);
-  weight("recurrence-weight", "and how much what was before and comes after (default: 1)", s.alignment.recurrence_weight);
+  weight("recurrence-weight", "and how much what was before and comes after (default: 1)",
+         s.alignment.recurrence_weight);
   group.add("max-slope", "N", "how much faster one animation may run than the other (default: 3)",
             [&](const Argument& a) { s.alignment.max_slope = a.count(); });
   weight("end-weight", "from 0, the ends of the animations are open, to 1 (default: 0.5)", s.alignment.end_weight);
@@ -78,10 +79,11 @@ void add_comparison_options(Option_group& group, Settings& s)
   weight("cycle-weight", "how much cycles count in the distance, from 0 to 1 (default: 0.3)", s.distance.cycle_weight);
   group.add("top", "N", "how many of the strongest features of each are matched (default: 150)",
             [&](const Argument& a) { s.matching.top = a.count(); });
-  group.add("ratio", "X",
-            "match only features of which the second nearest is less alike, by this factor; a cycle fails it (default: 1, "
-            "all)",
-            [&](const Argument& a) { s.matching.max_ratio = a.positive_number(); });
+  group.add(
+      "ratio", "X",
+      "match only features of which the second nearest is less alike, by this factor; a cycle fails it (default: 1, "
+      "all)",
+      [&](const Argument& a) { s.matching.max_ratio = a.positive_number(); });
   group.add_switch("mutual", s.matching.mutual_nearest, "match only features of which each is the other's nearest");
   group.add("descriptor", "NAME", "rotation-free or oriented (default: rotation-free)", [&](const Argument& a) {
     if (a.text() != "oriented" && a.text() != "rotation-free") a.refuse("is neither rotation-free nor oriented");
@@ -119,18 +121,18 @@ std::string help_of(const Option_groups& groups)
 {
   std::ostringstream os;
   os << overview() << R"(
-An animation is a point cache (.pc2, .mdd), whose mesh is beside it and begins with the same name, or stands before a comma:
-MESH,CACHE; an animated model; a folder with a mesh for each frame; or a file of features that detect_features has written
-(.json), of which there is less to compare. A COLLECTION is a folder of these; a list (.txt) with one in each line, as
-detect_features would be told to read it, with options; or a model with --clip all. What of a collection cannot be read is
-told and left out, and the exit code is 3.
+An animation is a point cache (.pc2, .mdd), whose mesh is beside it and begins with the same name, or stands before a
+comma: MESH,CACHE; an animated model; a folder with a mesh for each frame; or a file of features that detect_features
+has written (.json), of which there is less to compare. A COLLECTION is a folder of these; a list (.txt) with one in
+each line, as detect_features would be told to read it, with options; or a model with --clip all. What of a collection
+cannot be read is told and left out, and the exit code is 3.
 
-matching      pairs of features that show the same event, by what the deformation around them is like, where on the body they
-              are, and whether the pairs agree in distances and times.
-alignment     the map of time by which the deformation of A is most like that of B; its confidence is 0 if rearranged pieces
-              of B fit as well.
-distance      from 0, the same motion, to 1. The same for a body of another shape, another mesh and another frame rate, as
-              far as the deformation is.
+matching      pairs of features that show the same event, by what the deformation around them is like, where on the body
+              they are, and whether the pairs agree in distances and times.
+alignment     the map of time by which the deformation of A is most like that of B; its confidence is 0 if rearranged
+              pieces of B fit as well.
+distance      from 0, the same motion, to 1. The same for a body of another shape, another mesh and another frame rate,
+              as far as the deformation is.
 differences   events of one of them only, after the alignment, and events of other amplitudes.
 )" << groups
      << R"(
@@ -160,10 +162,14 @@ void check_words(Mode mode, const Settings& s)
 Result found(Mode mode, const Settings& s, std::string& descriptors)
 {
   switch (mode) {
-  case Mode::PAIR: return compare_pair(s);
-  case Mode::MATRIX: return compare_all(s);
-  case Mode::QUERY: return rank(s);
-  case Mode::DESCRIBE: break;
+  case Mode::PAIR:
+    return compare_pair(s);
+  case Mode::MATRIX:
+    return compare_all(s);
+  case Mode::QUERY:
+    return rank(s);
+  case Mode::DESCRIBE:
+    break;
   }
   return describe(s, descriptors);
 }
@@ -227,7 +233,7 @@ std::string overview()
   return R"(compare_animations compares animations of whatever meshes: matched features, alignment in time, distances.
 
   compare_animations A B [options]                  two animations
-  compare_animations A B --check --tolerance T      two takes of a motion; exit code 1 if an event differs by more than T
+  compare_animations A B --check --tolerance T      two takes of a motion; exit code 1 if an event differs by more
   compare_animations matrix COLLECTION [options]    all pairs of a collection
   compare_animations query A COLLECTION [options]   what is most like A
   compare_animations describe A [options]           the features of an animation with their descriptors

@@ -64,8 +64,8 @@ std::string stem(const std::string& path)
   return is_folder(p) ? p.filename().string() : p.stem().string();
 }
 
-// The mesh of a point cache: the file beside it of the same name, or of the name that has most in common with it from its
-// beginning on, as walker.obj with walker__run.pc2.
+// The mesh of a point cache: the file beside it of the same name, or of the name that has most in common with it from
+// its beginning on, as walker.obj with walker__run.pc2.
 std::string mesh_of(const fs::path& cache)
 {
   const std::string name = cache.stem().string();
@@ -88,9 +88,10 @@ std::string mesh_of(const fs::path& cache)
     }
   }
   if (best.empty() || !is_unique)
-    throw AMF::Input_error(cache.string() + ": " +
-                           (best.empty() ? "no mesh whose name begins likewise is" : "several meshes are equally likely") +
-                           " beside the point cache; name it before a comma, MESH," + cache.filename().string());
+    throw AMF::Input_error(
+        cache.string() + ": " +
+        (best.empty() ? "no mesh whose name begins likewise is" : "several meshes are equally likely") +
+        " beside the point cache; name it before a comma, MESH," + cache.filename().string());
   return best;
 }
 
@@ -162,8 +163,7 @@ void add_clips(const Item& model, std::vector<Item>& items)
 {
   Programs::Reading_options reading = model.reading;
   reading.clip.clear();
-  const Programs::Animation animation(
-      reading, [](std::size_t, std::size_t) { return AMF::Field_memory::heap(); });
+  const Programs::Animation animation(reading, [](std::size_t, std::size_t) { return AMF::Field_memory::heap(); });
   const std::vector<std::string>& clips = animation.clips();
   for (std::size_t c = 0; c < clips.size(); ++c) {
     Item i = model;
@@ -262,8 +262,7 @@ std::vector<Item> collection(const std::vector<std::string>& words, const Progra
     else
       add(item(word, common), items);
   }
-  if (items.empty())
-    throw AMF::Input_error(words.front() + ": there are no animations and no files of features in it");
+  if (items.empty()) throw AMF::Input_error(words.front() + ": there are no animations and no files of features in it");
   make_unique(items);
   return items;
 }

@@ -18,17 +18,17 @@ namespace Compare_animations {
 struct Item
 {
   std::string name;
-  std::string feature_file;           // empty: an animation
-  Programs::Reading_options reading;  // of an animation
+  std::string feature_file;          // empty: an animation
+  Programs::Reading_options reading; // of an animation
 };
 
-// What one word of the command line stands for: a file of features (.json), a point cache with its mesh nearby or before a
-// comma, a model, a folder of frames.
+// What one word of the command line stands for: a file of features (.json), a point cache with its mesh nearby or
+// before a comma, a model, a folder of frames.
 // throws Input_error if there is no such file; Option_error.
 Item item(const std::string& word, const Programs::Reading_options& common);
 
-// What a collection consists of: a folder with any of these, a list of them (.txt), a model of which all clips are asked
-// for. Names are unique.
+// What a collection consists of: a folder with any of these, a list of them (.txt), a model of which all clips are
+// asked for. Names are unique.
 // throws Input_error, also if there is nothing in it; Option_error.
 std::vector<Item> collection(const std::vector<std::string>& words, const Programs::Reading_options& common);
 

@@ -112,16 +112,16 @@ void add_options(const Item& item, const Settings& s, Hash& hash)
      << int(r.rest.kind) << ' ' << r.rest.frame << ' ' << r.rest.rescale << '\n'
      << text_of(s.method.threshold) << ' ' << text_of(s.method.relative_threshold) << ' ' << text_of(s.method.min_fit)
      << ' ' << text_of(s.method.top) << ' ' << s.method.no_suppression << '\n'
-     << s.is_oriented << ' ' << s.activity.sample_duration << ' ' << s.activity.lags << ' ' << s.activity.lag_step << ' '
-     << s.activity.max_samples;
+     << s.is_oriented << ' ' << s.activity.sample_duration << ' ' << s.activity.lags << ' ' << s.activity.lag_step
+     << ' ' << s.activity.max_samples;
   hash.add(os.str());
 }
 
 Cbor cbor_of(const AMF::Feature_point& f)
 {
-  return {f.vertex_index, f.frame, f.time, f.refined_frame, f.triangle, f.barycentric_coordinates, f.position,
-          f.rest_position, f.sigma, f.tau, f.response, f.amplitude, f.fit, f.strength, f.place, f.parent,
-          f.at_scale_limit};
+  return {f.vertex_index, f.frame,         f.time,  f.refined_frame, f.triangle,      f.barycentric_coordinates,
+          f.position,     f.rest_position, f.sigma, f.tau,           f.response,      f.amplitude,
+          f.fit,          f.strength,      f.place, f.parent,        f.at_scale_limit};
 }
 
 AMF::Feature_point feature_of(const Cbor& j)
@@ -153,7 +153,8 @@ Cbor cbor_of(const AMF::Feature_descriptors& d)
 {
   return {{"size", d.size()},
           {"length", d.length()},
-          {"values", std::vector<float>(d.size() == 0 ? nullptr : d[0], d.size() == 0 ? nullptr : d[0] + d.size() * d.length())}};
+          {"values",
+           std::vector<float>(d.size() == 0 ? nullptr : d[0], d.size() == 0 ? nullptr : d[0] + d.size() * d.length())}};
 }
 
 AMF::Feature_descriptors descriptors_of(const Cbor& j)

@@ -16,9 +16,9 @@
 
 namespace Compare_animations {
 
-// The file in which the signature of an animation is kept, in the folder of the cache, or beside the animation. Its name
-// has a number in it that is made of the contents of all files of the animation and of all options that count: what has
-// changed is not found. A file that cannot be understood is not found, either.
+// The file in which the signature of an animation is kept, in the folder of the cache, or beside the animation. Its
+// name has a number in it that is made of the contents of all files of the animation and of all options that count:
+// what has changed is not found. A file that cannot be understood is not found, either.
 class Signature_cache
 {
 public:

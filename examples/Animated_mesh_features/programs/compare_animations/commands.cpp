@@ -206,7 +206,8 @@ Result compare_pair(const Settings& s)
   const AMF::Event_alignment events = AMF::align_events(a.events, b.events);
   const std::vector<AMF::Event_difference> differences = AMF::event_differences(a, b, alignment, s.gates);
 
-  result.json = {{"comparison", "pair"}, {"a", json_of(names[0], a)}, {"b", json_of(names[1], b)}, {"distance", distance}};
+  result.json = {
+      {"comparison", "pair"}, {"a", json_of(names[0], a)}, {"b", json_of(names[1], b)}, {"distance", distance}};
   result.json["alignment"] = {{"cost", alignment.cost},
                               {"confidence", alignment.confidence},
                               {"phase", alignment.phase ? Json(*alignment.phase) : Json(nullptr)},
@@ -220,7 +221,8 @@ Result compare_pair(const Settings& s)
   Text text;
   for (int i = 0; i < 2; ++i) {
     const Signature& x = signatures[i];
-    text << (i == 0 ? "A: " : "B: ") << names[i] << ", " << counted(x.events.features.size(), "feature", "features") << ", ";
+    text << (i == 0 ? "A: " : "B: ") << names[i] << ", " << counted(x.events.features.size(), "feature", "features")
+         << ", ";
     text.number(double(x.frames) * x.frame_duration, 3) << " s";
     if (x.activity.cycle.period > 0) {
       text << ", repeats itself after ";
@@ -244,8 +246,8 @@ Result compare_pair(const Settings& s)
     text.number(t, 3, 10).number(alignment.to_b(t), 3, 9) << "\n";
   }
   add_matches(matches, a, b, text);
-  text << "\nevents in the same order: " << events.pairs.size() << ", of A only " << events.only_a.size() << ", of B only "
-       << events.only_b.size() << "\n";
+  text << "\nevents in the same order: " << events.pairs.size() << ", of A only " << events.only_a.size()
+       << ", of B only " << events.only_b.size() << "\n";
   add_differences(differences, a, b, s, result, text);
   result.text = text.str();
   return result;
@@ -268,7 +270,10 @@ Result compare_all(const Settings& s)
     rows.push_back(std::vector<double>(m.distances.begin() + std::ptrdiff_t(i * m.size()),
                                        m.distances.begin() + std::ptrdiff_t((i + 1) * m.size())));
   }
-  result.json = {{"comparison", "matrix"}, {"animations", animations}, {"distances", rows}, {"embedding", m.places},
+  result.json = {{"comparison", "matrix"},
+                 {"animations", animations},
+                 {"distances", rows},
+                 {"embedding", m.places},
                  {"left_out", result.broken}};
   Text text;
   text << counted(m.size(), "animation", "animations") << "; the nearest of each:\n";
@@ -299,7 +304,8 @@ Result rank(const Settings& s)
     distances.push_back(AMF::animation_distance(query.activity, x.activity, s.distance));
   std::vector<std::size_t> order(items.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return distances[i] < distances[j]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return distances[i] < distances[j]; });
   Json ranking = Json::array();
   Text text;
   text << one.name << " and the others, the nearest first:\n";
@@ -308,8 +314,8 @@ Result rank(const Settings& s)
     text << "  ";
     text.number(distances[i], 3) << "  " << items[i].name << "\n";
   }
-  result.json = {{"comparison", "query"}, {"query", json_of(one.name, query)}, {"ranking", ranking},
-                 {"left_out", result.broken}};
+  result.json = {
+      {"comparison", "query"}, {"query", json_of(one.name, query)}, {"ranking", ranking}, {"left_out", result.broken}};
   result.text = text.str();
   return result;
 }
@@ -319,8 +325,9 @@ Result describe(const Settings& s, std::string& descriptors)
   Result result;
   const Item one = item(s.words.front(), s.reading);
   if (!one.feature_file.empty())
-    throw AMF::Option_error(one.feature_file + ": a file of features alone has no field that could be described; name the "
-                                               "animation");
+    throw AMF::Option_error(one.feature_file +
+                            ": a file of features alone has no field that could be described; name the "
+                            "animation");
   const Signature x = make_signature(one, s);
   const AMF::Feature_descriptors& d = x.events.descriptors;
   result.json = json_of(one.name, x);

@@ -37,7 +37,8 @@ Signature signature_of_features(const Item& item, const Settings& s)
   const AMF::IO::Result_description& d = data.description;
   for (std::size_t i = 0; i < data.features.size(); ++i)
     if (!(data.features[i].sigma > 0) || !(data.features[i].tau > 0))
-      throw AMF::Input_error(item.feature_file + ": features[" + std::to_string(i) + "]: sigma and tau must be positive");
+      throw AMF::Input_error(item.feature_file + ": features[" + std::to_string(i) +
+                             "]: sigma and tau must be positive");
   if (d.frames < 3 || !(d.frame_duration > 0) || !(d.bounding_box_diagonal > 0))
     throw AMF::Input_error(item.feature_file + ": the animation has " + std::to_string(d.frames) +
                            " frames, or no size, or no time between frames; there is nothing to compare");
@@ -47,10 +48,10 @@ Signature signature_of_features(const Item& item, const Settings& s)
 
 Signature signature_of_animation(const Item& item, const Settings& s)
 {
-  Memory_plan plan(s.run.memory, s.run.scratch_directory.empty() ? default_scratch_directory() : s.run.scratch_directory);
-  const Animation animation(item.reading, [&](std::size_t vertices, std::size_t frames) {
-    return plan.decide(vertices, frames, 1);
-  });
+  Memory_plan plan(s.run.memory,
+                   s.run.scratch_directory.empty() ? default_scratch_directory() : s.run.scratch_directory);
+  const Animation animation(item.reading,
+                            [&](std::size_t vertices, std::size_t frames) { return plan.decide(vertices, frames, 1); });
   plan.refine(animation.sequence().rest_shape());
   Stage_log log;
   Output_options outputs; // of nothing, but the deformation is kept as for a page

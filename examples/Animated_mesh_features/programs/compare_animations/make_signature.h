@@ -20,12 +20,12 @@ namespace Compare_animations {
 
 typedef CGAL::Animated_mesh_features::Animation_signature Signature;
 
-// Reads an animation, detects its features and describes them, or takes what the cache has; or reads a file of features.
-// throws Error.
+// Reads an animation, detects its features and describes them, or takes what the cache has; or reads a file of
+// features. throws Error.
 Signature make_signature(const Item& item, const Settings& settings);
 
-// The same for all of a collection. What cannot be read is told on the standard error output and left out of both lists.
-// returns how many were left out.
+// The same for all of a collection. What cannot be read is told on the standard error output and left out of both
+// lists. returns how many were left out.
 std::size_t make_signatures(std::vector<Item>& items, std::vector<Signature>& signatures, const Settings& settings);
 
 } // namespace Compare_animations

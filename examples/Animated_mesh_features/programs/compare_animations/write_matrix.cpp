@@ -120,8 +120,8 @@ private:
       m_canvas.circle(x, y, 4, {group_colour(g), 1, false}, group_colour(g), 0.85);
       const bool has_groups = group.size() < m_matrix.names[i].size();
       m_canvas.text(x + 7, y + capital_height * style.size / 2,
-                    has_groups ? m_matrix.names[i].substr(group.size() + 1 + (m_matrix.names[i][group.size()] == '_')) :
-                                 m_matrix.names[i],
+                    has_groups ? m_matrix.names[i].substr(group.size() + 1 + (m_matrix.names[i][group.size()] == '_'))
+                               : m_matrix.names[i],
                     style);
     }
     double y = top + m_plane + 22, x = left;
@@ -140,8 +140,13 @@ private:
 
   static Rendering::Srgb8 group_colour(std::size_t i)
   {
-    const std::array<Rendering::Srgb8, 8> colours = {{{{20, 60, 120}}, {{200, 80, 20}}, {{30, 130, 90}}, {{150, 60, 140}},
-                                                      {{90, 160, 215}}, {{205, 160, 30}}, {{110, 110, 110}},
+    const std::array<Rendering::Srgb8, 8> colours = {{{{20, 60, 120}},
+                                                      {{200, 80, 20}},
+                                                      {{30, 130, 90}},
+                                                      {{150, 60, 140}},
+                                                      {{90, 160, 215}},
+                                                      {{205, 160, 30}},
+                                                      {{110, 110, 110}},
                                                       {{120, 20, 30}}}};
     return colours[i % colours.size()];
   }

@@ -41,8 +41,8 @@ struct Animation_signature
 /*!
 \ingroup PkgAnimatedMeshFeaturesApplications
 
-makes the signature of an animation. The cost is that of `describe_features()`, `Surface_landmarks`, `described_features()`
-and `animation_activity()`; all of it linear in the number of vertices.
+makes the signature of an animation. The cost is that of `describe_features()`, `Surface_landmarks`,
+`described_features()` and `animation_activity()`; all of it linear in the number of vertices.
 
 \tparam FT `float` or `double`, the scalar of the field.
 \tparam Descriptor a model of `FeatureDescriptor`.

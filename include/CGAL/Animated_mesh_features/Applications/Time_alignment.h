@@ -53,7 +53,8 @@ private:
 
 namespace internal {
 
-// The pairs of a way, evened out by a Gaussian of two samples along it, which takes the stairs out of it; the ends stay.
+// The pairs of a way, evened out by a Gaussian of two samples along it, which takes the stairs out of it; the ends
+// stay.
 inline void set_map(const std::vector<std::pair<std::size_t, std::size_t>>& path, double sample_duration,
                     Time_alignment& result)
 {
@@ -72,8 +73,7 @@ inline void set_map(const std::vector<std::pair<std::size_t, std::size_t>>& path
     const double time = a / sum * sample_duration;
     if (!result.times_a.empty() && !(time > result.times_a.back())) continue;
     result.times_a.push_back(time);
-    result.times_b.push_back(
-        (std::max)(b / sum * sample_duration, result.times_b.empty() ? 0 : result.times_b.back()));
+    result.times_b.push_back((std::max)(b / sum * sample_duration, result.times_b.empty() ? 0 : result.times_b.back()));
   }
 }
 

@@ -28,12 +28,12 @@ namespace Animated_mesh_features {
 \ingroup PkgAnimatedMeshFeaturesApplications
 
 finds the monotone map of time by which two motions are most alike: dynamic time warping (Sakoe and Chiba
-\cgalCite{sakoe1978}) of their activities, with a limited slope and, where one of them begins or ends in the middle of the
-other, open ends.
+\cgalCite{sakoe1978}) of their activities, with a limited slope and, where one of them begins or ends in the middle of
+the other, open ends.
 
-The confidence compares the cost with that of surrogates, the second animation backwards and with its pieces of a third of
-a second in another order, which have the same activity at other times: 0 if the alignment costs no less than those, as it
-does for motions that have nothing to do with each other, near 1 for the same motion.
+The confidence compares the cost with that of surrogates, the second animation backwards and with its pieces of a third
+of a second in another order, which have the same activity at other times: 0 if the alignment costs no less than those,
+as it does for motions that have nothing to do with each other, near 1 for the same motion.
 
 `O(S T_a T_b (1 + surrogates))` time, `5 T_a T_b` bytes, for slope `S` and `T` samples.
 

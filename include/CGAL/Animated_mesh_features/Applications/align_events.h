@@ -27,10 +27,10 @@ What `align_events()` is told.
 */
 struct Event_alignment_options
 {
-  Matching_options difference;  ///< how unlike two events are: its weights, and how many of the strongest are looked at
-  double accepted = 0.8;        ///< a pair of events of that difference neither gains nor costs anything
-  double gap_opening = 0.4;     ///< what the first event costs that is skipped
-  double gap_extension = 0.1;   ///< what each further one costs
+  Matching_options difference; ///< how unlike two events are: its weights, and how many of the strongest are looked at
+  double accepted = 0.8;       ///< a pair of events of that difference neither gains nor costs anything
+  double gap_opening = 0.4;    ///< what the first event costs that is skipped
+  double gap_extension = 0.1;  ///< what each further one costs
 
   /// \throw Option_error if a number is out of its range.
   void check() const
@@ -48,18 +48,18 @@ Which events of two animations follow one another in the same order.
 */
 struct Event_alignment
 {
-  std::vector<Feature_match> pairs;  ///< in the order of time; the confidence is the gain over `accepted`, from 0 to 1
-  std::vector<std::size_t> only_a;   ///< ranks of those that were looked at and have no partner, in the order of time
-  std::vector<std::size_t> only_b;   ///< the same of the second animation
-  double score = 0;                  ///< the sum of all gains less the costs of gaps
+  std::vector<Feature_match> pairs; ///< in the order of time; the confidence is the gain over `accepted`, from 0 to 1
+  std::vector<std::size_t> only_a;  ///< ranks of those that were looked at and have no partner, in the order of time
+  std::vector<std::size_t> only_b;  ///< the same of the second animation
+  double score = 0;                 ///< the sum of all gains less the costs of gaps
 };
 
 /*!
 \ingroup PkgAnimatedMeshFeaturesApplications
 
-aligns the events of two animations as sequences: the local alignment of Smith and Waterman \cgalCite{smith1981} with affine
-gaps (Gotoh \cgalCite{gotoh1982}). Events stand in the order of time. What happens at once, within half of its \f$\tau\f$,
-is ordered by the place on the body, from the middle outward, which is the same in both.
+aligns the events of two animations as sequences: the local alignment of Smith and Waterman \cgalCite{smith1981} with
+affine gaps (Gotoh \cgalCite{gotoh1982}). Events stand in the order of time. What happens at once, within half of its
+\f$\tau\f$, is ordered by the place on the body, from the middle outward, which is the same in both.
 
 `O(A B)` time and memory for `A` and `B` events.
 

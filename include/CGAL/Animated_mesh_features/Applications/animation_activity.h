@@ -40,8 +40,8 @@ measures the activity of an animation. Between frames the field is linear.
 \param eccentricities of the vertices, see `Surface_landmarks`; or none.
 \param frame_duration the time between two frames (s).
 \param options times.
-\throw Input_error if there are fewer than 3 frames or samples, or too many of these; Option_error if an option is out of
-  its range, or sizes do not fit.
+\throw Input_error if there are fewer than 3 frames or samples, or too many of these; Option_error if an option is out
+  of its range, or sizes do not fit.
 */
 template <class FT>
 Activity animation_activity(const Spatio_temporal_field<FT>& field, const std::vector<double>& areas,

@@ -42,7 +42,8 @@ struct Distance_options
 \ingroup PkgAnimatedMeshFeaturesApplications
 
 tells how unlike two motions are, from 0 to 1: \f$1 - (1 - c)(1 - w\,z)\f$, where \f$c\f$ is the cost of their best
-alignment, see `align_animations()`, \f$w\f$ the weight of cycles, and \f$z\f$ how unlike they are in repeating themselves:
+alignment, see `align_animations()`, \f$w\f$ the weight of cycles, and \f$z\f$ how unlike they are in repeating
+themselves:
 \f$|s_a - s_b| + \min(s_a, s_b) \min(|\log_2 p_a / p_b|, 1)\f$ with their cycles' strengths \f$s\f$ and periods \f$p\f$.
 
 Symmetric; 0 for the same motion on the same body, whatever its mesh and frame rate, up to what these change the field.
@@ -57,8 +58,7 @@ inline double animation_distance(const Activity& a, const Activity& b,
   const double cost = align_animations(a, b, options.alignment).cost;
   const double s = a.cycle.strength, t = b.cycle.strength;
   double unlike = std::abs(s - t);
-  if (s > 0 && t > 0)
-    unlike += (std::min)(s, t) * (std::min)(std::abs(std::log2(a.cycle.period / b.cycle.period)), 1.);
+  if (s > 0 && t > 0) unlike += (std::min)(s, t) * (std::min)(std::abs(std::log2(a.cycle.period / b.cycle.period)), 1.);
   return 1 - (1 - cost) * (1 - options.cycle_weight * (std::min)(unlike, 1.));
 }
 

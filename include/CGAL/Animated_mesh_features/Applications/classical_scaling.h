@@ -22,8 +22,8 @@ namespace Animated_mesh_features {
 \ingroup PkgAnimatedMeshFeaturesApplications
 
 places things in the plane so that their distances are as given, as nearly as can be: classical scaling (Torgerson
-\cgalCite{torgerson1952}), by the two largest eigenvalues of the doubly centred matrix of squared distances. The sign of an
-axis is such that its largest coordinate is positive.
+\cgalCite{torgerson1952}), by the two largest eigenvalues of the doubly centred matrix of squared distances. The sign of
+an axis is such that its largest coordinate is positive.
 
 `O(200 n^2)` time, `O(n^2)` memory.
 
@@ -35,7 +35,8 @@ axis is such that its largest coordinate is positive.
 inline std::vector<std::array<double, 2>> classical_scaling(const std::vector<double>& distances, std::size_t n)
 {
   if (distances.size() != n * n)
-    throw Option_error("there are " + std::to_string(distances.size()) + " distances of " + std::to_string(n) + " things");
+    throw Option_error("there are " + std::to_string(distances.size()) + " distances of " + std::to_string(n) +
+                       " things");
   std::vector<double> gram(n * n), means(n, 0);
   double mean = 0;
   for (std::size_t i = 0; i < n; ++i)

@@ -57,13 +57,14 @@ struct Event_difference
 /*!
 \ingroup PkgAnimatedMeshFeaturesApplications
 
-tells in what two takes of a motion differ: pairs events that are at the same place, after the alignment at the same time,
-and of similar scales, the nearest first, each with one partner, and lists what is left, and what has another amplitude.
+tells in what two takes of a motion differ: pairs events that are at the same place, after the alignment at the same
+time, and of similar scales, the nearest first, each with one partner, and lists what is left, and what has another
+amplitude.
 
 `O(A B)` for `A` and `B` events.
 
-\param a, b the takes. If they have as many vertices, and diagonals within 5 %, events are compared by their places at rest,
-  else by their profiles on the body; if there are none, by time and scales alone.
+\param a, b the takes. If they have as many vertices, and diagonals within 5 %, events are compared by their places at
+  rest, else by their profiles on the body; if there are none, by time and scales alone.
 \param alignment of their times, see `align_animations()`.
 \param gates how near is near enough.
 \returns differences with the largest amplitude first; those of pairs, too, however small.
@@ -90,7 +91,9 @@ inline std::vector<Event_difference> event_differences(const Animation_signature
     return descriptor_distance(a.events.places[i], b.events.places[j], a.events.places.length()) / gates.profile;
   };
   const double frame = (std::max)(a.frame_duration, b.frame_duration), rounding = 1e-9;
-  const auto are_alike = [&](double p, double q) { return (std::max)(p, q) <= gates.factor * (std::min)(p, q) + rounding; };
+  const auto are_alike = [&](double p, double q) {
+    return (std::max)(p, q) <= gates.factor * (std::min)(p, q) + rounding;
+  };
 
   std::vector<std::tuple<double, std::size_t, std::size_t>> near;
   for (std::size_t i = 0; i < x.size(); ++i)

@@ -28,8 +28,8 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesDescriptors
 
-Features of an animation with all that is compared with those of another one, whose mesh is another: what the field around
-each of them is like, where on the body it is, and how far it is from the others. `M` features.
+Features of an animation with all that is compared with those of another one, whose mesh is another: what the field
+around each of them is like, where on the body it is, and how far it is from the others. `M` features.
 */
 struct Described_features
 {
@@ -86,8 +86,8 @@ inline Described_features described_features(const Rest_shape& shape, const Surf
 /*!
 \ingroup PkgAnimatedMeshFeaturesDescriptors
 
-the same of features alone, as a file of features has them: without descriptors and places, with straight distances on the
-rest shape.
+the same of features alone, as a file of features has them: without descriptors and places, with straight distances on
+the rest shape.
 
 \param features with their places at rest.
 \param diagonal that of the bounding box of the rest shape (length), of which `unit` is 0.4: about as much as the mean

@@ -68,13 +68,14 @@ time, 5 in the direction of the gradient - outward, inward, along the circle aro
 time -, 100 numbers in all.
 
 A sample at \f$(x, y, t)\f$ with gradient \f$g\f$ counts by \f$|g|\f$ times its area under a Gaussian of standard
-deviation 1.5 (in units of \f$\sigma\f$ and \f$\tau\f$); it is divided among the two nearest bins in distance and in time,
-and among directions by the squares of the cosines, which have the sum 1. The result is normalised to length 1, clipped at
-0.2 and normalised again, as by Lowe \cgalCite{lowe2004} and, with time, by Scovanner, Ali and Shah
+deviation 1.5 (in units of \f$\sigma\f$ and \f$\tau\f$); it is divided among the two nearest bins in distance and in
+time, and among directions by the squares of the cosines, which have the sum 1. The result is normalised to length 1,
+clipped at 0.2 and normalised again, as by Lowe \cgalCite{lowe2004} and, with time, by Scovanner, Ali and Shah
 \cgalCite{scovanner2007}.
 
 It does not change when the body is moved, scaled, or mirrored, when vertices are numbered anew, nor when the field is
-multiplied by a factor or something constant is added; frame rate and resampling change it as far as they change the field.
+multiplied by a factor or something constant is added; frame rate and resampling change it as far as they change the
+field.
 
 Linear in the number of samples.
 
@@ -135,9 +136,9 @@ The histogram of a field's gradients around a feature, in a frame of the feature
 bins in time, 6 directions of the gradient - along both axes, either way, forward and backward in time -, 192 numbers in
 all. Weights and normalisation are those of `Rotation_free_gradient_histogram`.
 
-The first axis is the dominant direction of the gradients on the surface: the eigenvector of the larger eigenvalue of their
-structure tensor \f$\sum w\,g g^T\f$, pointing to where the field is larger. Where gradients have no dominant direction, as
-around a round blob, the frame is arbitrary and the descriptor means little.
+The first axis is the dominant direction of the gradients on the surface: the eigenvector of the larger eigenvalue of
+their structure tensor \f$\sum w\,g g^T\f$, pointing to where the field is larger. Where gradients have no dominant
+direction, as around a round blob, the frame is arbitrary and the descriptor means little.
 
 Of a mirrored body it is mirrored: `mirrored()` exchanges the bins of the two sides.
 

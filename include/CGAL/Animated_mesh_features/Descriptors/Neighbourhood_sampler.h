@@ -28,9 +28,10 @@ namespace Animated_mesh_features {
 \ingroup PkgAnimatedMeshFeaturesDescriptors
 
 Takes the samples of a field around a feature, see `Feature_neighbourhood`: the vertices within \f$3\,\sigma\f$ on the
-rest shape, by a discrete exponential map \cgalCite{schmidt2006}, and 25 times from \f$-3\,\tau\f$ to \f$3\,\tau\f$, whatever the frame rate;
-between frames the field is linear, beyond the first and last one it is mirrored. The gradient on the surface is the mean
-of the triangles' around a vertex, by area; that in time is the difference of the samples before and after.
+rest shape, by a discrete exponential map \cgalCite{schmidt2006}, and 25 times from \f$-3\,\tau\f$ to \f$3\,\tau\f$,
+whatever the frame rate; between frames the field is linear, beyond the first and last one it is mirrored. The gradient
+on the surface is the mean of the triangles' around a vertex, by area; that in time is the difference of the samples
+before and after.
 
 Keeps a few numbers for each vertex; the objects that it is made of are kept by reference. A call takes
 `O(k log k + 25 k)` for `k` vertices around the feature, whatever the size of the mesh and the number of frames.
@@ -70,8 +71,8 @@ public:
   Neighbourhood_sampler(const Neighbourhood_sampler&) = delete;
   Neighbourhood_sampler& operator=(const Neighbourhood_sampler&) = delete;
 
-  /// the samples around a feature; of it the vertex, the place in its triangle, the time, \f$\sigma\f$ and \f$\tau\f$ are
-  /// used.
+  /// the samples around a feature; of it the vertex, the place in its triangle, the time, \f$\sigma\f$ and \f$\tau\f$
+  /// are used.
   /// \throw Input_error if its vertex is not of the rest shape, or \f$\sigma\f$ or \f$\tau\f$ is not positive.
   Feature_neighbourhood operator()(const Feature_point& feature)
   {
@@ -155,7 +156,8 @@ private:
       const Interpolation at = interpolation((f.time + tau * f.tau) / m_frame_duration);
       for (std::size_t i = 0; i < m_sampled.size(); ++i) {
         const FT* row = m_field->row(m_sampled[i]);
-        m_samples[i * m_width + k] = float((1 - at.fraction) * double(row[at.frame]) + at.fraction * double(row[at.next]));
+        m_samples[i * m_width + k] =
+            float((1 - at.fraction) * double(row[at.frame]) + at.fraction * double(row[at.next]));
       }
     }
   }

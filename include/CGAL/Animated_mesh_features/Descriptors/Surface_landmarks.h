@@ -26,8 +26,9 @@ namespace Animated_mesh_features {
 
 Tells where on a body a place is without a word about other bodies: by how much of the surface lies how far from it.
 
-A number of landmarks are spread over the rest shape, each the vertex that is farthest from those before it (farthest-point
-sampling, Gonzalez 1985), and each stands for the vertices nearest to it. Of them are known, for any vertex \f$v\f$:
+A number of landmarks are spread over the rest shape, each the vertex that is farthest from those before it
+(farthest-point sampling, Gonzalez 1985), and each stands for the vertices nearest to it. Of them are known, for any
+vertex \f$v\f$:
 - the mean distance \f$e(v) = \sum_l a_l\,d(v,l) / (\ell \sum_l a_l)\f$ to all of the surface, in units of its own mean
   \f$\ell\f$ over the surface \cgalCite{hilaga2001}: some 0.7 in the middle of a body, 1.7 at the tips of its limbs;
 - the profile, the shares of the surface within eight distances, from 0.15 to 2 \f$\ell\f$, of which small ones tell how
@@ -62,8 +63,8 @@ public:
   /// the landmarks, in the order in which they were spread.
   const std::vector<Index>& vertices() const { return m_landmarks; }
 
-  /// \f$\ell\f$, the mean distance between two points of the surface (length): a size of the body that does not depend on
-  /// its pose.
+  /// \f$\ell\f$, the mean distance between two points of the surface (length): a size of the body that does not depend
+  /// on its pose.
   double mean_distance() const { return m_unit; }
 
   /// the area of each vertex (squared length), see `vertex_areas()`.

@@ -42,8 +42,7 @@ public:
     : m_size(size)
     , m_length(length)
     , m_values(size * length, 0.f)
-  {
-  }
+  {}
 
   std::size_t size() const { return m_size; }     ///< `M`
   std::size_t length() const { return m_length; } ///< `L`
@@ -59,8 +58,8 @@ private:
 /*!
 \ingroup PkgAnimatedMeshFeaturesDescriptors
 
-the Euclidean distance between two descriptors of the same length; of the histograms of the package, whose length is 1 and
-whose numbers are not negative, it is between 0 and \f$\sqrt2\f$.
+the Euclidean distance between two descriptors of the same length; of the histograms of the package, whose length is 1
+and whose numbers are not negative, it is between 0 and \f$\sqrt2\f$.
 */
 inline double descriptor_distance(const float* a, const float* b, std::size_t length)
 {
@@ -98,8 +97,8 @@ Feature_descriptors describe_features(const Rest_shape& shape, const Spatio_temp
   Feature_descriptors result(features.size(), descriptor.length());
   internal::Thread_local<Neighbourhood_sampler<FT>> samplers;
   loop(features.size(), [&](std::size_t i) {
-    Neighbourhood_sampler<FT>& sampler = samplers.get(
-        [&] { return std::make_unique<Neighbourhood_sampler<FT>>(shape, field, frame_duration); });
+    Neighbourhood_sampler<FT>& sampler =
+        samplers.get([&] { return std::make_unique<Neighbourhood_sampler<FT>>(shape, field, frame_duration); });
     descriptor(sampler(features[i]), result[i]);
   });
   return result;

@@ -24,14 +24,14 @@ namespace Animated_mesh_features {
 pairs features of two animations that show the same event, without any correspondence between their meshes.
 
 1. Candidates: for each of the strongest features of either animation those of the other one that are most alike in
-   descriptor, place on the body, \f$\sigma\f$ relative to the size, \f$\tau\f$ and amplitude; see `Matching_options`, also
-   for the ratio test and for mutual nearest neighbours only.
-2. Consistency: two pairs agree as far as the distances between the two features on either surface are the same, relative
-   to the size, and so are the times between them. Candidates are weighted by the principal eigenvector of the matrix of
-   all agreements (Leordeanu and Hebert \cgalCite{leordeanu2005}).
+   descriptor, place on the body, \f$\sigma\f$ relative to the size, \f$\tau\f$ and amplitude; see `Matching_options`,
+   also for the ratio test and for mutual nearest neighbours only.
+2. Consistency: two pairs agree as far as the distances between the two features on either surface are the same,
+   relative to the size, and so are the times between them. Candidates are weighted by the principal eigenvector of the
+   matrix of all agreements (Leordeanu and Hebert \cgalCite{leordeanu2005}).
 3. From the best ones sets of pairs are grown that agree with one another, each feature in one pair only. Of a body
-   and its mirror image all distances are the same; of two sets the one is preferred whose places on the rest shapes map by
-   a rotation and not by a reflection.
+   and its mirror image all distances are the same; of two sets the one is preferred whose places on the rest shapes map
+   by a rotation and not by a reflection.
 
 `O(C^2)` time and memory for `C` candidates, of which there are at most `2 top candidates`.
 

@@ -20,7 +20,8 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// How different two samples of two activities are: the Euclidean distance of their vectors, each group times its weight.
+// How different two samples of two activities are: the Euclidean distance of their vectors, each group times its
+// weight.
 class Activity_cost
 {
 public:
@@ -69,7 +70,8 @@ private:
     double sum = 0;
     for (std::size_t t = 0; t * m_width < vectors.size(); ++t) {
       double squares = 0;
-      for (std::size_t k = 0; k < m_width; ++k) squares += double(vectors[t * m_width + k]) * double(vectors[t * m_width + k]);
+      for (std::size_t k = 0; k < m_width; ++k)
+        squares += double(vectors[t * m_width + k]) * double(vectors[t * m_width + k]);
       sum += std::sqrt(squares);
     }
     return sum;

@@ -38,8 +38,7 @@ public:
     , m_recurrence(samples * o.lags, 0)
     , m_places(samples * m_classes, 0)
     , m_profile((samples - 1) / m_step + 1, 0)
-  {
-  }
+  {}
 
   std::size_t samples() const { return m_samples; }
 
@@ -134,8 +133,8 @@ public:
 private:
   static constexpr std::size_t coarse = 128; // samples for the search for a cycle
 
-  // The difference from the first sample is among the differences to later ones where a lag fits; else it is that of the
-  // nearest lag that does.
+  // The difference from the first sample is among the differences to later ones where a lag fits; else it is that of
+  // the nearest lag that does.
   double from_first(std::size_t t, std::size_t) const
   {
     const std::size_t l = t / m_lag;

@@ -19,8 +19,8 @@ namespace Animated_mesh_features {
 namespace internal {
 
 // Dynamic time warping of n against m samples (Sakoe and Chiba 1978) in steps of (1, 1), (1, q) and (q, 1), q up to the
-// largest slope; each sample of either side counts once. Samples that have no partner at the beginning and at the end are
-// compared with the first or last one of the other side, and count by `end_weight`. O(n m slope) time, 5 n m bytes.
+// largest slope; each sample of either side counts once. Samples that have no partner at the beginning and at the end
+// are compared with the first or last one of the other side, and count by `end_weight`. O(n m slope) time, 5 n m bytes.
 class Time_warping
 {
 public:
@@ -49,7 +49,8 @@ public:
 private:
   double local(std::size_t i, std::size_t j) const { return double(m_costs[i * m_m + j]); }
 
-  // Steps are 0 for a beginning, q for (1, q), 128 + q for (q, 1). Of two ways of the same cost it is the more even one.
+  // Steps are 0 for a beginning, q for (1, q), 128 + q for (q, 1). Of two ways of the same cost it is the more even
+  // one.
   void accumulate(std::size_t n, std::size_t max_slope)
   {
     const double infinity = std::numeric_limits<double>::infinity();

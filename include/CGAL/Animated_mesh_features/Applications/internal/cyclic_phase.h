@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// How far the second of two cyclic motions is ahead, as a share of a period: the shift at which samples of the same phase
-// are most alike, refined by a parabola. O(T_a + 64 T_a) comparisons.
+// How far the second of two cyclic motions is ahead, as a share of a period: the shift at which samples of the same
+// phase are most alike, refined by a parabola. O(T_a + 64 T_a) comparisons.
 inline double cyclic_phase(const Activity& a, const Activity& b, const Activity_cost& cost)
 {
   const std::size_t shifts = 64;

@@ -17,13 +17,13 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// A motion repeats itself after the first lag at which it is about as much like itself as at any lag but 0. `profile`: the
-// mean squared difference at each lag, relative to that of any two times, which is 1; `step` seconds between lags.
+// A motion repeats itself after the first lag at which it is about as much like itself as at any lag but 0. `profile`:
+// the mean squared difference at each lag, relative to that of any two times, which is 1; `step` seconds between lags.
 inline Cycle find_cycle(const std::vector<double>& profile, double step)
 {
-  const double most = 0.35;      // of the difference at a period
-  const double rise = 0.35;      // from the period to what is before it
-  const double tolerance = 0.08; // of what counts as about as much
+  const double most = 0.35;                     // of the difference at a period
+  const double rise = 0.35;                     // from the period to what is before it
+  const double tolerance = 0.08;                // of what counts as about as much
   const std::size_t n = profile.size() * 3 / 4; // larger lags compare too few times
   const auto is_minimum = [&](std::size_t k, double highest) {
     return profile[k] <= profile[k - 1] && profile[k] <= profile[k + 1] && profile[k] < most &&

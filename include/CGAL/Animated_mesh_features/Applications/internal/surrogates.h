@@ -17,8 +17,8 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// Samples in another order that keeps what is next to each other, but for few of them: the k-th rearrangement, the first of
-// which is backwards; others shuffle pieces of a third of a second, every second one of them backwards.
+// Samples in another order that keeps what is next to each other, but for few of them: the k-th rearrangement, the
+// first of which is backwards; others shuffle pieces of a third of a second, every second one of them backwards.
 inline std::vector<std::size_t> surrogate_order(std::size_t samples, double sample_duration, std::size_t k)
 {
   const double piece_duration = 1. / 3;
@@ -29,7 +29,7 @@ inline std::vector<std::size_t> surrogate_order(std::size_t samples, double samp
   for (std::size_t t = 0; t < samples; t += piece) pieces.push_back(t);
   if (k > 0) {
     std::uint64_t state = 0x9e3779b97f4a7c15ull * (k + 1);
-    for (std::size_t i = pieces.size(); i > 1; --i) { // Fisher and Yates
+    for (std::size_t i = pieces.size(); i > 1; --i) {                  // Fisher and Yates
       state = state * 6364136223846793005ull + 1442695040888963407ull; // Knuth's MMIX
       std::swap(pieces[i - 1], pieces[std::size_t(state >> 33) % i]);
     }

@@ -49,7 +49,8 @@ inline std::vector<Candidate_pair> candidate_pairs(const Described_features& a, 
                         return std::make_pair(differences[cell(x)], x) < std::make_pair(differences[cell(y)], y);
                       });
     if (count == 0) return;
-    if (o.max_ratio < 1 && count > 1 && !(differences[cell(order[0])] < o.max_ratio * differences[cell(order[1])])) return;
+    if (o.max_ratio < 1 && count > 1 && !(differences[cell(order[0])] < o.max_ratio * differences[cell(order[1])]))
+      return;
     for (std::size_t i = 0; i < k; ++i) ++near[cell(order[i])];
     ++nearest[cell(order[0])];
   };

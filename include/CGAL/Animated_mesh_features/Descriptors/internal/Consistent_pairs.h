@@ -45,7 +45,8 @@ public:
     double best_score = 0;
     std::vector<std::size_t> order(m_candidates.size());
     for (std::size_t c = 0; c < order.size(); ++c) order[c] = c;
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t c, std::size_t d) { return m_weights[c] > m_weights[d]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t c, std::size_t d) { return m_weights[c] > m_weights[d]; });
     for (std::size_t i = 0; i < (std::min)(seeds, order.size()); ++i) {
       std::vector<std::size_t> set = grown(order[i]);
       const double score = score_of(set);
@@ -71,8 +72,7 @@ private:
     const double s = da.time - ca.time, t = db.time - cb.time;
     // events are known to within a part of their durations
     const double exact = 0.2 * (ca.tau + da.tau + cb.tau + db.tau) / 2;
-    const double in_time =
-        std::abs(s - t) / (exact + m_options.time_tolerance * (std::max)(std::abs(s), std::abs(t)));
+    const double in_time = std::abs(s - t) / (exact + m_options.time_tolerance * (std::max)(std::abs(s), std::abs(t)));
     if (in_space >= 1 || in_time >= 1) return 0;
     return (1 - in_space * in_space) * (1 - in_time * in_time);
   }
@@ -150,8 +150,8 @@ private:
     return m_options.use_handedness ? score * (1 + 0.5 * handedness(set)) : score;
   }
 
-  // From -1 to 1: the determinant of the covariance of places in A and B is positive if the orthogonal map that fits best
-  // is a rotation, negative for a reflection, and near 0 if places lie in a plane.
+  // From -1 to 1: the determinant of the covariance of places in A and B is positive if the orthogonal map that fits
+  // best is a rotation, negative for a reflection, and near 0 if places lie in a plane.
   double handedness(const std::vector<std::size_t>& set) const
   {
     Point mean_a(0, 0, 0), mean_b(0, 0, 0);

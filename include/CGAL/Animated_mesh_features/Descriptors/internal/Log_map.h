@@ -65,8 +65,7 @@ public:
     , m_y(shape.number_of_vertices())
     , m_axis(shape.number_of_vertices())
     , m_is_known(shape.number_of_vertices(), 0)
-  {
-  }
+  {}
 
   // The vertices within `limit` of the centre, along edges, nearest first.
   const std::vector<Index>& run(Index centre, double limit)
