@@ -65,18 +65,20 @@ void add_comparison_options(Option_group& group, Settings& s)
   group.add("rate", "R",
             "samples in a second by which animations are aligned, whatever their frame rates (default: 30)",
             [&](const Argument& a) { s.activity.sample_duration = 1 / a.positive_number(); });
-  weight("place-weight", "how much the places of deformation count in the alignment (default: 1)",
+  weight("place-weight", "how much the places of deformation count in the alignment (default: 3)",
          s.alignment.place_weight);
-  weight("recurrence-weight", "and how much what was before and comes after (default: 1)",
+  weight("recurrence-weight", "and how much what was before and comes after (default: 0.1)",
          s.alignment.recurrence_weight);
   group.add("max-slope", "N", "how much faster one animation may run than the other (default: 3)",
             [&](const Argument& a) { s.alignment.max_slope = a.count(); });
-  weight("end-weight", "from 0, the ends of the animations are open, to 1 (default: 0.5)", s.alignment.end_weight);
+  weight("end-weight", "from 0, the ends of the animations are open, to 1 (default: 1)", s.alignment.end_weight);
+  weight("bend-weight", "what it costs that one animation is faster than the other (default: 0.02)",
+         s.alignment.bend_weight);
   weight("distance-place-weight", "how much the places of deformation count in the distance (default: 0)",
          s.distance.alignment.place_weight);
   weight("distance-recurrence-weight", "and how much what was before and comes after (default: 1)",
          s.distance.alignment.recurrence_weight);
-  weight("cycle-weight", "how much cycles count in the distance, from 0 to 1 (default: 0.3)", s.distance.cycle_weight);
+  weight("cycle-weight", "how much cycles count in the distance, from 0 to 1 (default: 0.1)", s.distance.cycle_weight);
   group.add("top", "N", "how many of the strongest features of each are matched (default: 150)",
             [&](const Argument& a) { s.matching.top = a.count(); });
   group.add(

@@ -31,7 +31,7 @@ finds the monotone map of time by which two motions are most alike: dynamic time
 \cgalCite{sakoe1978}) of their activities, with a limited slope and, where one of them begins or ends in the middle of
 the other, open ends.
 
-The confidence compares the cost with that of surrogates, the second animation backwards and with its pieces of a third
+The confidence is \f$\max(1 - (c / \bar c)^2, 0)\f$, where \f$\bar c\f$ is the mean cost of surrogates, the second animation backwards and with its pieces of a third
 of a second in another order, which have the same activity at other times: 0 if the alignment costs no less than those,
 as it does for motions that have nothing to do with each other, near 1 for the same motion.
 
@@ -46,7 +46,9 @@ inline Time_alignment align_animations(const Activity& a, const Activity& b,
 {
   options.check();
   const internal::Activity_cost cost(a, b, options);
-  const internal::Time_warping warping(a.samples, b.samples, cost, options.max_slope, options.end_weight);
+  const double bend_cost = options.bend_weight * cost.mean_norm();
+  const internal::Time_warping warping(a.samples, b.samples, cost, options.max_slope, options.end_weight,
+                                       bend_cost);
   Time_alignment result;
   result.cost = cost.relative(warping.cost());
   internal::set_map(warping.path(), a.sample_duration, result);
@@ -56,13 +58,13 @@ inline Time_alignment align_animations(const Activity& a, const Activity& b,
       const std::vector<std::size_t> order = internal::surrogate_order(b.samples, b.sample_duration, k);
       const internal::Time_warping other(
           a.samples, b.samples, [&](std::size_t i, std::size_t j) { return cost(i, order[j]); }, options.max_slope,
-          options.end_weight);
+          options.end_weight, bend_cost);
       others.push_back(cost.relative(other.cost()));
     }
-    double mean = 0, squares = 0;
-    for (double c : others) mean += c / double(others.size());
-    for (double c : others) squares += (c - mean) * (c - mean) / double(others.size());
-    if (squares > 0) result.confidence = (mean - result.cost) / std::sqrt(squares);
+    double chance = 0;
+    for (double c : others) chance += c / double(others.size());
+    const double ratio = chance > 0 ? result.cost / chance : 1;
+    result.confidence = (std::max)(1 - ratio * ratio, 0.);
   }
   if (a.cycle.period > 0 && b.cycle.period > 0) result.phase = internal::cyclic_phase(a, b, cost);
   return result;

@@ -38,8 +38,7 @@ struct Matching_options
   std::size_t top = 150;      ///< how many of the strongest features of either animation are matched
   std::size_t candidates = 8; ///< for each of them
 
-  double descriptor_weight =
-      1;                     ///< of the distance of descriptors, which is 0.3 to 0.8 for features of different events
+  double descriptor_weight = 1; ///< of the distance of descriptors
   double place_weight = 4;   ///< of the distance of profiles, see `Surface_landmarks`
   double sigma_weight = 0.5; ///< of the logarithm of the ratio of \f$\sigma\f$
   double tau_weight = 0.5;   ///< of the logarithm of the ratio of \f$\tau\f$
@@ -48,8 +47,7 @@ struct Matching_options
   /// only candidates of which each is the other's nearest; off, as the cycles of a gait are alike.
   bool mutual_nearest = false;
 
-  /// only candidates whose difference is less than this times that of the second nearest; 1: all of them. A cycle fails
-  /// it.
+  /// only candidates whose difference is less than this times that of the second nearest; 1: all. A cycle fails it.
   double max_ratio = 1;
 
   double distance_tolerance = 0.1; ///< of distances on the surface, in units of the body

@@ -45,6 +45,9 @@ public:
     return std::sqrt(double(squares));
   }
 
+  // the mean length of the vectors of both
+  double mean_norm() const { return m_norm / double((m_a.size() + m_b.size()) / m_width); }
+
   // A sum over all samples relative to the largest that there could be: that of motions that are nowhere alike.
   double relative(double sum) const { return m_norm > 0 ? (std::min)(sum / m_norm, 1.) : 0; }
 

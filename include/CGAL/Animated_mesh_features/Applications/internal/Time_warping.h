@@ -20,7 +20,8 @@ namespace internal {
 
 // Dynamic time warping of n against m samples (Sakoe and Chiba 1978) in steps of (1, 1), (1, q) and (q, 1), q up to the
 // largest slope; each sample of either side counts once. Samples that have no partner at the beginning and at the end
-// are compared with the first or last one of the other side, and count by `end_weight`. O(n m slope) time, 5 n m bytes.
+// are compared with the first or last one of the other side, and count by `end_weight`. A step of (1, q) or (q, 1) costs
+// `bend_cost` q - 1 times, so that clocks run alike where nothing says that they do not. O(n m slope) time, 5 n m bytes.
 class Time_warping
 {
 public:
@@ -28,9 +29,11 @@ public:
 
   // cost(i, j) is asked once for each pair.
   template <class Cost>
-  Time_warping(std::size_t n, std::size_t m, const Cost& cost, std::size_t max_slope, double end_weight)
+  Time_warping(std::size_t n, std::size_t m, const Cost& cost, std::size_t max_slope, double end_weight,
+               double bend_cost)
     : m_m(m)
     , m_end_weight(end_weight)
+    , m_bend_cost(bend_cost)
     , m_costs(n * m)
     , m_steps(n * m, 0)
   {
@@ -72,7 +75,7 @@ private:
         std::uint8_t step = 1;
         double passed = local(i, j); // of the cells after the first one
         for (std::size_t q = 2; q <= (std::min)(max_slope, j); ++q) {
-          const double sum = above(1)[j - q] + 2 * local(i, j - q + 1) + passed;
+          const double sum = above(1)[j - q] + 2 * local(i, j - q + 1) + passed + double(q - 1) * m_bend_cost;
           passed += local(i, j - q + 1);
           if (sum < best) {
             best = sum;
@@ -81,7 +84,7 @@ private:
         }
         passed = local(i, j);
         for (std::size_t q = 2; q <= (std::min)(max_slope, i); ++q) {
-          const double sum = above(q)[j - 1] + 2 * local(i - q + 1, j) + passed;
+          const double sum = above(q)[j - 1] + 2 * local(i - q + 1, j) + passed + double(q - 1) * m_bend_cost;
           passed += local(i - q + 1, j);
           if (sum < best) {
             best = sum;
@@ -132,7 +135,7 @@ private:
   }
 
   std::size_t m_m;
-  double m_end_weight, m_cost = 0;
+  double m_end_weight, m_bend_cost, m_cost = 0;
   std::vector<float> m_costs;
   std::vector<std::uint8_t> m_steps;
   std::vector<double> m_last_row, m_last_column;
