@@ -107,6 +107,7 @@ private:
         high[k] = (std::max)(high[k], p[std::size_t(k)]);
       }
     const double extent = (std::max)({high[0] - low[0], high[1] - low[1], 1e-12});
+    for (int k = 0; k < 2; ++k) low[k] -= (extent - (high[k] - low[k])) / 2; // in the middle
     m_canvas.text(left, top - 8, "in the plane, by classical scaling", m_style.dim_text());
     std::vector<std::string> groups;
     Text_style style = m_style.text();

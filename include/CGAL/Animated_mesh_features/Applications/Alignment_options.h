@@ -32,8 +32,8 @@ struct Alignment_options
   /// cost nothing, 1 for two takes of the whole motion.
   double end_weight = 1;
 
-  /// what it costs that a sample has no partner of its own, in units of the mean length of a sample's vector: where nothing
-  /// moves, the clocks run alike.
+  /// what it costs that a sample has no partner of its own, in units of the mean length of a sample's vector: where
+  /// nothing moves, the clocks run alike.
   double bend_weight = 0.02;
 
   /// by how many rearrangements the confidence is found; 0: none, which is faster.

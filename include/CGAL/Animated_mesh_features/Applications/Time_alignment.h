@@ -29,7 +29,7 @@ struct Time_alignment
   double cost = 0;             ///< from 0 for the same motion to 1
   double confidence = 0;       ///< from 0, no better than by chance, to 1
 
-  /// of two cyclic motions: how much of a period the second one is ahead, from 0 to 1.
+  /// of two cyclic motions: how much of a period the second one is ahead, from -0.5 to 0.5.
   std::optional<double> phase;
 
   /// the time of the second animation; outside of the samples the clocks run alike.

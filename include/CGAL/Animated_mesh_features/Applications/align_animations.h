@@ -31,9 +31,10 @@ finds the monotone map of time by which two motions are most alike: dynamic time
 \cgalCite{sakoe1978}) of their activities, with a limited slope and, where one of them begins or ends in the middle of
 the other, open ends.
 
-The confidence is \f$\max(1 - (c / \bar c)^2, 0)\f$, where \f$\bar c\f$ is the mean cost of surrogates, the second animation backwards and with its pieces of a third
-of a second in another order, which have the same activity at other times: 0 if the alignment costs no less than those,
-as it does for motions that have nothing to do with each other, near 1 for the same motion.
+The confidence is \f$\max(1 - (c / \bar c)^2, 0)\f$, where \f$\bar c\f$ is the mean cost of surrogates, the second
+animation backwards and with its pieces of a third of a second in another order, which have the same activity at other
+times: 0 if the alignment costs no less than those, as it does for motions that have nothing to do with each other, near
+1 for the same motion.
 
 `O(S T_a T_b (1 + surrogates))` time, `5 T_a T_b` bytes, for slope `S` and `T` samples.
 

@@ -38,8 +38,8 @@ inline double cyclic_phase(const Activity& a, const Activity& b, const Activity_
   const double before = sums[(best + shifts - 1) % shifts], after = sums[(best + 1) % shifts];
   const double bend = before - 2 * sums[best] + after;
   const double shift = bend > 0 ? (before - after) / (2 * bend) : 0;
-  const double phase = (double(best) + shift) / double(shifts);
-  return phase - std::floor(phase);
+  const double phase = -(double(best) + shift) / double(shifts);
+  return phase - std::round(phase);
 }
 
 } // namespace internal
