@@ -109,7 +109,6 @@ void test_neighbourhood()
   CHECK(n.vertices.size() == inside);
   CHECK(n.times.size() == 25 && n.times.front() == -3 && n.times.back() == 3);
   std::size_t i = 0;
-  Eigen::Matrix2d turn = Eigen::Matrix2d::Zero();
   for (const auto& v : n.vertices) {
     CHECK(std::hypot(v.x, v.y) <= 3);
     const auto& g = n.gradients[i * n.times.size() + 5];

@@ -67,7 +67,7 @@ void add_comparison_options(Option_group& group, Settings& s)
             [&](const Argument& a) { s.activity.sample_duration = 1 / a.positive_number(); });
   weight("place-weight", "how much the places of deformation count in the alignment (default: 3)",
          s.alignment.place_weight);
-  weight("recurrence-weight", "and how much what was before and comes after (default: 0.1)",
+  weight("recurrence-weight", "and how much what was before and comes after (default: 0)",
          s.alignment.recurrence_weight);
   group.add("max-slope", "N", "how much faster one animation may run than the other (default: 3)",
             [&](const Argument& a) { s.alignment.max_slope = a.count(); });

@@ -22,7 +22,7 @@ What `align_animations()` is told. Each weight is that of the squares of a group
 struct Alignment_options
 {
   double mean_weight = 1;       ///< of the mean deformation
-  double recurrence_weight = 0.1; ///< of the differences from times before and after, which a warp of time changes
+  double recurrence_weight = 0; ///< of the differences from times before and after, which a warp of time changes, too
   double place_weight = 3; ///< of the deformation by place, if both animations have it
 
   /// how much faster one of the two may run than the other, for a time.
