@@ -167,6 +167,7 @@ struct Oriented_gradient_histogram
       const Feature_neighbourhood::Vertex& p = n.vertices[v];
       const double px = p.x * axis[0] + p.y * axis[1], py = p.y * axis[0] - p.x * axis[1];
       const internal::Soft_bin radius = internal::soft_bin(std::hypot(px, py), 0, reach, radii);
+      const bool is_aside = std::hypot(px, py) > 1e-9;
       const double turn = (std::atan2(py, px) / (2 * pi) + 1) * double(sectors);
       const std::size_t sector = std::size_t(turn);
       const double turn_fraction = turn - double(sector);
@@ -177,9 +178,16 @@ struct Oriented_gradient_histogram
         if (!(size > 0)) continue;
         const double weight = internal::sample_weight(p, n.times[k]) / size;
         const internal::Soft_bin time = internal::soft_bin(n.times[k], -reach, reach, slices);
-        const auto add = [&](std::size_t r, std::size_t s, std::size_t t, double share) {
-          float* bin = out + bin_of(r, s % sectors, t);
+        const auto add_to = [&](float* bin, double share) {
           for (std::size_t d = 0; d < 3; ++d) bin[2 * d + (h[d] < 0 ? 1 : 0)] += float(share * weight * h[d] * h[d]);
+        };
+        const auto add = [&](std::size_t r, std::size_t s, std::size_t t, double share) {
+          if (is_aside) {
+            add_to(out + bin_of(r, s % sectors, t), share);
+            return;
+          }
+          // at the feature itself, in no direction from it: in all sectors
+          for (std::size_t all = 0; all < sectors; ++all) add_to(out + bin_of(r, all, t), share / double(sectors));
         };
         for (int i = 0; i < 8; ++i)
           add(i & 1 ? radius.second : radius.first, i & 2 ? sector + 1 : sector, i & 4 ? time.second : time.first,
