@@ -189,7 +189,7 @@ def matching(compare, _, work):
         for a, b in pairs:
             if (a, motion) not in clips or (b, motion) not in clips:
                 continue
-            found = compare(*(f"{clips[c, motion][0]},{clips[c, motion][1]}" for c in (a, b)), "--top", "50", *FEW)
+            found = compare(*(f"{clips[c, motion][0]},{clips[c, motion][1]}" for c in (a, b)), "--matched", "50", *FEW)
             p = points(clips[b, motion][0])
             is_right = [np.linalg.norm(p[m["vertex_a"]] - p[m["vertex_b"]]) <= 0.05 * diagonal(p) and
                         abs(m["time_a"] - m["time_b"]) <= 1.5 / 30 + 1e-9 for m in found["matches"]]

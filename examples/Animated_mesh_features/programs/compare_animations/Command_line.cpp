@@ -79,7 +79,7 @@ void add_comparison_options(Option_group& group, Settings& s)
   weight("distance-recurrence-weight", "and how much what was before and comes after (default: 1)",
          s.distance.alignment.recurrence_weight);
   weight("cycle-weight", "how much cycles count in the distance, from 0 to 1 (default: 0.1)", s.distance.cycle_weight);
-  group.add("top", "N", "how many of the strongest features of each are matched (default: 150)",
+  group.add("matched", "N", "how many of the strongest features of each are matched (default: 150)",
             [&](const Argument& a) { s.matching.top = a.count(); });
   group.add(
       "ratio", "X",
