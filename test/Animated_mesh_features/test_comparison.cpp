@@ -429,7 +429,7 @@ void test_alignment()
 
   // against the plain form, on the mean alone
   Amf::Alignment_options options;
-  options.recurrence_weight = options.place_weight = 0;
+  options.recurrence_weight = options.recurrence_without_places = options.place_weight = 0;
   options.bend_weight = 0;
   options.surrogates = 0;
   const Amf::Activity x = motion(20, 0.15, same), y = motion(26, 0.15, warp, 1);

@@ -23,7 +23,8 @@ struct Alignment_options
 {
   double mean_weight = 1;       ///< of the mean deformation
   double recurrence_weight = 0; ///< of the differences from times before and after, which a warp of time changes, too
-  double place_weight = 3; ///< of the deformation by place, if both animations have it
+  double recurrence_without_places = 0.3; ///< the same, at least, where nothing is known of places
+  double place_weight = 3;                ///< of the deformation by place, if both animations have it
 
   /// how much faster one of the two may run than the other, for a time.
   std::size_t max_slope = 3;
@@ -42,7 +43,7 @@ struct Alignment_options
   /// \throw Option_error if a number is out of its range.
   void check() const
   {
-    for (double w : {mean_weight, recurrence_weight, place_weight})
+    for (double w : {mean_weight, recurrence_weight, recurrence_without_places, place_weight})
       if (!(w >= 0)) throw Option_error("the weights of an alignment must not be negative");
     if (!(mean_weight + recurrence_weight > 0)) throw Option_error("mean and recurrence must not both count nothing");
     if (max_slope < 1 || max_slope > 100) throw Option_error("the slope of an alignment is from 1 to 100");

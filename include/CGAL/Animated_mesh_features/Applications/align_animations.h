@@ -48,8 +48,7 @@ inline Time_alignment align_animations(const Activity& a, const Activity& b,
   options.check();
   const internal::Activity_cost cost(a, b, options);
   const double bend_cost = options.bend_weight * cost.mean_norm();
-  const internal::Time_warping warping(a.samples, b.samples, cost, options.max_slope, options.end_weight,
-                                       bend_cost);
+  const internal::Time_warping warping(a.samples, b.samples, cost, options.max_slope, options.end_weight, bend_cost);
   Time_alignment result;
   result.cost = cost.relative(warping.cost());
   internal::set_map(warping.path(), a.sample_duration, result);

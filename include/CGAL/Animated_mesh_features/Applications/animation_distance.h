@@ -32,6 +32,7 @@ struct Distance_options
   Distance_options()
   {
     alignment.recurrence_weight = 1;
+    alignment.recurrence_without_places = 0;
     alignment.place_weight = 0;
     alignment.bend_weight = 0;
     alignment.end_weight = 1;

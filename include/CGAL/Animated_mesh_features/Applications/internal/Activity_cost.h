@@ -26,12 +26,12 @@ class Activity_cost
 {
 public:
   Activity_cost(const Activity& a, const Activity& b, const Alignment_options& o)
-    : m_width(1 + 2 * a.lags + (a.classes == b.classes ? a.classes : 0))
+    : m_width(1 + 2 * a.lags + (a.classes == b.classes && o.place_weight > 0 ? a.classes : 0))
   {
     if (std::abs(a.sample_duration - b.sample_duration) > 1e-9 * a.sample_duration || a.lags != b.lags)
       throw Option_error("two activities have different times between samples, or different lags");
     if (a.samples == 0 || b.samples == 0) throw Option_error("an activity has no samples");
-    const bool has_places = a.classes == b.classes && a.classes > 0;
+    const bool has_places = a.classes == b.classes && a.classes > 0 && o.place_weight > 0;
     m_a = vectors(a, o, has_places);
     m_b = vectors(b, o, has_places);
     m_norm = norm(m_a) + norm(m_b);
@@ -60,9 +60,11 @@ private:
       const float root = float(std::sqrt(weight));
       for (std::size_t k = 0; k < width; ++k) result.push_back(root * group[t * width + k]);
     };
+    const double recurrence_weight =
+        has_places ? o.recurrence_weight : (std::max)(o.recurrence_weight, o.recurrence_without_places);
     for (std::size_t t = 0; t < a.samples; ++t) {
       append(o.mean_weight, a.mean, 1, t);
-      append(o.recurrence_weight, a.recurrence, 2 * a.lags, t);
+      append(recurrence_weight, a.recurrence, 2 * a.lags, t);
       if (has_places) append(o.place_weight, a.places, a.classes, t);
     }
     return result;
