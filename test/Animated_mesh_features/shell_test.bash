@@ -6,7 +6,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # Shared by the tests of the programs, which are given to them as DETECT_FEATURES, MAKE_ANIMATION, EVALUATE_FEATURES and
-# SIMPLIFY_ANIMATION; to be sourced. Sets `tests`, this folder, `program`, `generator`, `evaluator` and `simplifier`, the
+# SIMPLIFY_ANIMATION, COMPARE_ANIMATIONS; to be sourced. Sets `tests`, this folder, `program`, `generator`, `evaluator`,
+# `simplifier` and `comparer`, the
 # programs or nothing, and `failed`, the exit code to end with.
 
 set -u
@@ -15,6 +16,7 @@ program="${DETECT_FEATURES:-}"
 generator="${MAKE_ANIMATION:-}"
 evaluator="${EVALUATE_FEATURES:-}"
 simplifier="${SIMPLIFY_ANIMATION:-}"
+comparer="${COMPARE_ANIMATIONS:-}"
 failed=0
 checks=0
 export PYTHONDONTWRITEBYTECODE=1
@@ -38,6 +40,7 @@ needs() {
       detect_features) [[ -n "$program" ]] || missing+=" DETECT_FEATURES" ;;
       evaluate_features) [[ -n "$evaluator" ]] || missing+=" EVALUATE_FEATURES" ;;
       simplify_animation) [[ -n "$simplifier" ]] || missing+=" SIMPLIFY_ANIMATION" ;;
+      compare_animations) [[ -n "$comparer" ]] || missing+=" COMPARE_ANIMATIONS" ;;
       make_animation) [[ -n "$generator" ]] || missing+=" MAKE_ANIMATION" ;;
       *) command -v "$what" >/dev/null || missing+=" $what" ;;
     esac

@@ -12,6 +12,7 @@
 #include "test_support.h"
 #include "test_two_stages.h"
 
+#include <CGAL/Animated_mesh_features/Descriptors/describe_features.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/detect_spatio_temporal_features.h>
 
@@ -280,6 +281,17 @@ struct Archetype_normalization : Copy_only
   }
 };
 
+struct Archetype_descriptor : Copy_only
+{
+  using Copy_only::Copy_only;
+  std::size_t length() const { return 2; }
+  void operator()(const AMF::Feature_neighbourhood& n, float* out) const
+  {
+    out[0] = n.values.front();
+    out[1] = float(n.vertices.size());
+  }
+};
+
 struct Archetype_baseline : Copy_only
 {
   using Copy_only::Copy_only;
@@ -382,6 +394,16 @@ int main()
                      .with_temporal_filter(Temporal_filter_with_unit_variance(0))
                      .with_response(AMF::Forward_difference_of_gaussians()),
                  "Every_smoothing_count");
+
+  // a descriptor, of a field on the sphere
+  const AMF::Frame_sequence<Mesh> sequence(mesh, sphere.frames, sphere.frame_duration);
+  AMF::Feature_point feature;
+  feature.sigma = 0.2;
+  feature.tau = 0.1;
+  const AMF::Spatio_temporal_field<float> field(sequence.number_of_vertices(), 5);
+  const AMF::Feature_descriptors described =
+      AMF::describe_features(sequence.rest_shape(), field, 0.1, {feature}, Archetype_descriptor(0));
+  CHECK(described.length() == 2 && described[0][0] == 0 && described[0][1] > 1);
 
   // each policy on its own among those of the library
   const AMF::Calibrated_options calibrated;

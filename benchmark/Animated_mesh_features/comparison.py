@@ -1,0 +1,288 @@
+#!/usr/bin/env python3
+# Copyright (c) 2026 The Animated_mesh_features authors.
+#
+# This file is part of the package Animated_mesh_features for CGAL.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""How well animations are compared, on animations whose events, times and names are known: a figure a row, with what it is
+by chance and by plainer ways.
+
+comparison.py COMPARE_ANIMATIONS DATA [--work DIR] [--only NAME]... [--json FILE]
+
+DATA is a folder of evaluation animations (horse, camel, twins_in_time, bodies, actions); with NumPy. DIR keeps what is
+expanded and computed. Bodies are taken on their coarse mesh, from the folder DIR/bodies, which is made by
+DATA/bodies/expand.py DIR/bodies --low.
+"""
+
+import argparse
+import json
+import pathlib
+import subprocess
+import sys
+
+import numpy as np
+
+FEW = ["--threshold", "0.03", "--min-fit", "0.3"]  # long lists, of which the strongest count
+
+
+class Comparer:
+    """Runs the program, with a cache."""
+
+    def __init__(self, program, work):
+        self.program, self.work = program, pathlib.Path(work)
+        (self.work / "cache").mkdir(parents=True, exist_ok=True)
+
+    def __call__(self, *arguments, keep=None):
+        output = self.work / (keep or "last.json")
+        command = [self.program, *map(str, arguments), "--cache", str(self.work / "cache"), "--quiet", "-o", str(output)]
+        subprocess.run(command, check=True)
+        return json.loads(output.read_text())
+
+
+def points(path):
+    return np.array([line.split()[1:4] for line in open(path) if line.startswith("v ")], float)
+
+
+def frames(path):
+    data = open(path, "rb").read()
+    n, f = np.frombuffer(data, "<i4", 1, 16)[0], np.frombuffer(data, "<i4", 1, 28)[0]
+    return np.frombuffer(data, "<f4", n * f * 3, 32).reshape(f, n, 3)
+
+
+def diagonal(p):
+    return float(np.linalg.norm(p.max(0) - p.min(0)))
+
+
+def auc(same, different):
+    """The share of pairs of which the distance of the same event is the smaller one: the area below the ROC."""
+    all_ = np.r_[same, different]
+    rank = np.empty(len(all_))
+    rank[np.argsort(all_, kind="stable")] = np.arange(len(all_))
+    n, m = len(same), len(different)
+    return float(1 - (rank[:n].sum() - n * (n - 1) / 2) / (n * m))
+
+
+def retrieval(distances, bodies, motions):
+    """Nearest neighbour and mean average precision among other bodies, of those that have the motion."""
+    nearest, precisions = [], []
+    for q in range(len(distances)):
+        others = [j for j in range(len(distances)) if bodies[j] != bodies[q]]
+        relevant = sum(motions[j] == motions[q] for j in others)
+        if relevant == 0:
+            continue
+        hits = np.array([motions[j] == motions[q] for j in sorted(others, key=lambda j: distances[q][j])])
+        nearest.append(hits[0])
+        precisions.append((np.cumsum(hits) / np.arange(1, len(hits) + 1))[hits].sum() / relevant)
+    return float(np.mean(nearest)), float(np.mean(precisions))
+
+
+def warped(sequences):
+    """Distances of sequences of vectors by dynamic time warping in steps of (1, 1), (1, 2) and (2, 1)."""
+    n = len(sequences)
+    result = np.zeros((n, n))
+    for i in range(n):
+        for j in range(i):
+            a, b = sequences[i], sequences[j]
+            c = np.sqrt(((a[:, None] - b[None]) ** 2).sum(-1))
+            best = np.full((len(a) + 2, len(b) + 2), np.inf)
+            best[2, 2:] = np.cumsum(c[0])
+            best[2:, 2] = np.cumsum(c[:, 0])
+            for x in range(1, len(a)):
+                for y in range(1, len(b)):
+                    best[x + 2, y + 2] = min(best[x + 1, y + 1] + 2 * c[x, y],
+                                             best[x + 1, y] + 2 * c[x, y - 1] + c[x, y],
+                                             best[x, y + 1] + 2 * c[x - 1, y] + c[x, y])
+            ends = [best[-1, y + 2] + c[-1, y + 1:].sum() for y in range(len(b))]
+            ends += [best[x + 2, -1] + c[x + 1:, -1].sum() for x in range(len(a))]
+            result[i, j] = result[j, i] = min(ends) / (len(a) + len(b))
+    return result
+
+
+def shape_distributions(paths, rates):
+    """For each animation the histogram of distances between two points, frame by frame (Osada et al. 2002)."""
+    random = np.random.default_rng(0)
+    result = []
+    for path, rate in zip(paths, rates):
+        p = frames(path)[::max(1, round(rate / 10))]
+        i, j = random.integers(p.shape[1], size=(2, 2000))
+        d = np.linalg.norm(p[:, i] - p[:, j], axis=2)
+        d /= d.mean()
+        result.append(np.array([np.histogram(x, 16, (0, 2.5))[0] / 2000 for x in d]))
+    return result
+
+
+def descriptor_rows(compare, data, twin, vertices, rest):
+    """Mutual nearest neighbours of the descriptors of the horse and a twin."""
+    place, p = points(data / "horse-rest.obj"), diagonal(points(data / "horse-rest.obj"))
+    d = {}
+    for name, rest_file in (("horse-gallop", "horse-rest.obj"), (twin, rest)):
+        found = compare("describe", data / (name + ".pc2"), "--rest", data / rest_file, "--rescale-rest", *FEW,
+                        *(["--fps", "15"] if name.endswith("half") else []))
+        d[name] = found["features"][:150]
+    a, b = d["horse-gallop"], d[twin]
+    x, y = (np.array([f["descriptor"] for f in s]) for s in (a, b))
+    distance = np.linalg.norm(x[:, None] - y[None], axis=2)
+    in_space = np.linalg.norm(place[[f["vertex"] for f in a]][:, None] - place[vertices[[f["vertex"] for f in b]]][None],
+                              axis=2)
+    late = np.abs(np.array([f["time"] for f in a])[:, None] - np.array([f["time"] for f in b])[None]) * 30
+    late = np.minimum(late, np.abs(late - 24))  # the cycle is played twice
+    same = (in_space <= 0.05 * p) & (late <= 1.5 + 1e-9)
+    first, second = distance.argmin(1), distance.argmin(0)
+    mutual = [i for i in range(len(a)) if second[first[i]] == i]
+    by_chance = same.mean()
+    yield (f"descriptor, {twin}: true among mutual nearest", float(np.mean([same[i, first[i]] for i in mutual])), by_chance,
+           f"{len(mutual)} pairs; area below the ROC {auc(distance[same], distance[~same]):.3f}")
+
+
+def descriptors(compare, data, _):
+    kept = np.loadtxt(data / "horse-gallop-dec4200_kept_ids.txt", dtype=int)
+    yield from descriptor_rows(compare, data, "horse-gallop-dec4200", kept, "horse-rest-dec4200.obj")
+    kept = np.loadtxt(data / "horse-gallop-irregular_kept_ids.txt", dtype=int)
+    yield from descriptor_rows(compare, data, "horse-gallop-irregular", kept, "horse-rest-irregular.obj")
+    yield from descriptor_rows(compare, data, "horse-gallop-half", np.arange(8431), "horse-rest.obj")
+
+
+def alignment(compare, data, _):
+    camel = f"{data}/camel-gallop-manifold.obj,{data}/camel-gallop-manifold.pc2"
+    pair = compare(data / "horse-gallop.pc2", camel)
+    t = np.arange(48) / 30
+    error = np.abs(mapped(pair, t) - t) * 30
+    yield "alignment, horse and camel: median error (frames)", float(np.median(error)), None, \
+        f"95 %: {np.quantile(error, 0.95):.2f}, confidence {pair['alignment']['confidence']:.2f}"
+    truth = json.loads((data / "twins_in_time/twins_low.json").read_text())
+    folder = data / "twins_in_time"
+    for clip, twins in truth.items():
+        mesh = folder / (clip.split("__")[0] + "_low.obj")
+        original = f"{mesh},{folder / twins['original']['file']}"
+        for name, twin in twins.items():
+            if name == "original":
+                continue
+            pair = compare(f"{mesh},{folder / twin['file']}", original) if twin["fps"] == 30 else None
+            if pair and "u" in twin:
+                t = np.arange(pair["a"]["frames"]) / 30
+                error = np.abs(mapped(pair, t) - np.interp(t, twin["u"], twin["t"])) * 30
+                unmoved = np.abs(t - np.interp(t, twin["u"], twin["t"])) * 30
+                yield f"alignment, {clip} {name}: median error (frames)", float(np.median(error)), \
+                    float(np.median(unmoved)), f"95 %: {np.quantile(error, 0.95):.2f}; beside: without alignment"
+            elif pair:
+                yield f"confidence, {clip} {name}", pair["alignment"]["confidence"], None, \
+                    f"distance {pair['distance']:.3f}"
+
+
+def mapped(pair, t):
+    a, b = np.array(pair["alignment"]["times_a"]), np.array(pair["alignment"]["times_b"])
+    return np.where(t < a[0], b[0] + t - a[0], np.where(t > a[-1], b[-1] + t - a[-1], np.interp(t, a, b)))
+
+
+def clips_of_bodies(work):
+    for cache in sorted((work / "bodies").glob("*_low.pc2")):
+        body, motion = cache.name[:-len("_low.pc2")].split("__")
+        yield body, motion, work / "bodies" / (body + "_low.obj"), cache
+
+
+def matching(compare, _, work):
+    clips = {(b, m): (mesh, cache) for b, m, mesh, cache in clips_of_bodies(work)}
+    pairs = [("child", "man_muscular"), ("woman_slim", "woman_heavy"), ("man_old", "child"), ("woman_heavy", "man_old")]
+    rights, numbers, guesses = [], [], []
+    for motion in sorted({m for _, m in clips}):
+        for a, b in pairs:
+            if (a, motion) not in clips or (b, motion) not in clips:
+                continue
+            found = compare(*(f"{clips[c, motion][0]},{clips[c, motion][1]}" for c in (a, b)), "--matched", "50", *FEW)
+            p = points(clips[b, motion][0])
+            is_right = [np.linalg.norm(p[m["vertex_a"]] - p[m["vertex_b"]]) <= 0.05 * diagonal(p) and
+                        abs(m["time_a"] - m["time_b"]) <= 1.5 / 30 + 1e-9 for m in found["matches"]]
+            numbers.append(len(is_right))
+            if is_right:
+                rights.append(np.mean(is_right))
+                guesses += [np.linalg.norm(p[m["vertex_a"]] - p[n["vertex_b"]]) <= 0.05 * diagonal(p) and
+                            abs(m["time_a"] - n["time_b"]) <= 1.5 / 30 + 1e-9
+                            for m in found["matches"] for n in found["matches"]]
+    yield "matching, same motion on another body: right", float(np.mean(rights)), float(np.mean(guesses)), \
+        f"{len(numbers)} pairs of clips"
+    yield "matching, same motion on another body: number", float(np.mean(numbers)), None, \
+        f"least {min(numbers)}, {np.mean(np.array(numbers) >= 15):.2f} of the clips have 15"
+
+
+def retrieval_rows(compare, name, listed, bodies, motions, paths, rates):
+    plain = ["--distance-recurrence-weight", "0", "--cycle-weight", "0"]
+    ways = [("retrieval", compare("matrix", listed)["distances"]),
+            ("time warping of the mean deformation", compare("matrix", listed, *plain)["distances"]),
+            ("time warping of shape distributions", warped(shape_distributions(paths, rates))),
+            ("random", np.random.default_rng(1).random((len(paths), len(paths))))]
+    for way, distances in ways:
+        nearest, precision = retrieval(distances, bodies, motions)
+        yield f"{name}, {way}: nearest neighbour", nearest, None, f"mean average precision {precision:.3f}"
+
+
+def retrieval_bodies(compare, _, work):
+    clips = list(clips_of_bodies(work))
+    listed = work / "bodies.txt"
+    listed.write_text("".join(f'"{mesh}" "{cache}"\n' for _, _, mesh, cache in clips))
+    yield from retrieval_rows(compare, "bodies", listed, [c[0] for c in clips], [c[1] for c in clips],
+                              [c[3] for c in clips], [30] * len(clips))
+
+
+def retrieval_actions(compare, data, work):
+    meta = json.loads((data / "actions/meta.json").read_text())
+    clips = [(c, a, v["fps"]) for c in meta for a, v in meta[c].get("actions", {}).items()]
+    folder, listed = data / "actions", work / "actions.txt"
+    listed.write_text("".join(f'"{folder}/{c}.obj" "{folder}/{c}__{a}.pc2" --fps {fps} --rest "{folder}/{c}.obj"\n'
+                              for c, a, fps in clips))
+    yield from retrieval_rows(compare, "actions", listed, [c for c, _, _ in clips], [a for _, a, _ in clips],
+                              [folder / f"{c}__{a}.pc2" for c, a, _ in clips], [fps for _, _, fps in clips])
+
+
+def resampling(compare, data, work):
+    listed = work / "twins.txt"
+    horse, folder = "horse-gallop", data / "twins_in_time"
+    clips = [(horse, horse, "horse-rest", ""), (horse + "-half", horse, "horse-rest", "--fps 15"),
+             (horse + "-double", horse, "horse-rest", "--fps 60"),
+             (horse + "-dec4200", horse, "horse-rest-dec4200", ""),
+             (horse + "-irregular", horse, "horse-rest-irregular", "")]  # name, of which it is a twin, rest, rate
+    lines = [f'"{data}/{n}.obj" "{data}/{n}.pc2" --rest "{data}/{r}.obj" --rescale-rest {o}\n' for n, _, r, o in clips]
+    lines.append(f'"{data}/pcow.obj" "{data}/pcow.pc2"\n')
+    twins = [(n, of) for n, of, _, _ in clips] + [("pcow", "pcow")]
+    for clip in ("woman_slim__walkwhirl", "man_muscular__kick"):
+        mesh = folder / (clip.split("__")[0] + "_low.obj")
+        for kind, rate in (("", 30), ("_half", 15), ("_noise", 30)):
+            lines.append(f'"{mesh}" "{folder}/{clip}{kind}_low.pc2" --fps {rate}\n')
+            twins.append((clip + kind + "_low", clip + "_low"))
+    listed.write_text("".join(lines))
+    found = compare("matrix", listed)
+    d, index = np.array(found["distances"]), {a["name"]: i for i, a in enumerate(found["animations"])}
+    originals = [index[n] for n, of in twins if n == of]
+    different = float(np.mean([d[i, j] for i in originals for j in originals if i < j]))
+    for name, of in twins:
+        if name != of:
+            yield f"distance of {name}, share of that of other motions", d[index[of], index[name]] / different, None, ""
+
+
+TABLES = {"descriptors": descriptors, "matching": matching, "alignment": alignment, "bodies": retrieval_bodies,
+          "actions": retrieval_actions, "resampling": resampling}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", metavar="COMPARE_ANIMATIONS")
+    parser.add_argument("data", type=lambda p: pathlib.Path(p).resolve())
+    parser.add_argument("--work", type=pathlib.Path, default=pathlib.Path("comparison"))
+    parser.add_argument("--only", action="append", choices=list(TABLES))
+    parser.add_argument("--json", type=pathlib.Path)
+    arguments = parser.parse_args()
+    work = arguments.work.resolve()
+    compare = Comparer(str(pathlib.Path(arguments.program).resolve()), work)
+    rows = []
+    for name in arguments.only or TABLES:
+        for figure, value, beside, remark in TABLES[name](compare, arguments.data, work):
+            rows.append({"figure": figure, "value": value, "beside": beside, "remark": remark})
+            print(f"{figure:75}{value:8.3f}" + (f"  ({beside:.3f})" if beside is not None else "") + f"  {remark}",
+                  flush=True)
+    if arguments.json:
+        arguments.json.write_text(json.dumps(rows, indent=1) + "\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_INTERNAL_ACTIVITY_COST_H
+#define CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_INTERNAL_ACTIVITY_COST_H
+
+#include <CGAL/Animated_mesh_features/Applications/Activity.h>
+#include <CGAL/Animated_mesh_features/Applications/Alignment_options.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Animated_mesh_features {
+namespace internal {
+
+// How different two samples of two activities are: the Euclidean distance of their vectors, each group times its
+// weight.
+class Activity_cost
+{
+public:
+  Activity_cost(const Activity& a, const Activity& b, const Alignment_options& o)
+    : m_width(1 + 2 * a.lags + (a.classes == b.classes && o.place_weight > 0 ? a.classes : 0))
+  {
+    if (std::abs(a.sample_duration - b.sample_duration) > 1e-9 * a.sample_duration || a.lags != b.lags)
+      throw Option_error("two activities have different times between samples, or different lags");
+    if (a.samples == 0 || b.samples == 0) throw Option_error("an activity has no samples");
+    const bool has_places = a.classes == b.classes && a.classes > 0 && o.place_weight > 0;
+    m_a = vectors(a, o, has_places);
+    m_b = vectors(b, o, has_places);
+    m_norm = norm(m_a) + norm(m_b);
+  }
+
+  double operator()(std::size_t i, std::size_t j) const
+  {
+    const float *x = &m_a[i * m_width], *y = &m_b[j * m_width];
+    float squares = 0;
+    for (std::size_t k = 0; k < m_width; ++k) squares += (x[k] - y[k]) * (x[k] - y[k]);
+    return std::sqrt(double(squares));
+  }
+
+  // the mean length of the vectors of both
+  double mean_norm() const { return m_norm / double((m_a.size() + m_b.size()) / m_width); }
+
+  // A sum over all samples relative to the largest that there could be: that of motions that are nowhere alike.
+  double relative(double sum) const { return m_norm > 0 ? (std::min)(sum / m_norm, 1.) : 0; }
+
+private:
+  std::vector<float> vectors(const Activity& a, const Alignment_options& o, bool has_places) const
+  {
+    std::vector<float> result;
+    result.reserve(a.samples * m_width);
+    const auto append = [&](double weight, const std::vector<float>& group, std::size_t width, std::size_t t) {
+      const float root = float(std::sqrt(weight));
+      for (std::size_t k = 0; k < width; ++k) result.push_back(root * group[t * width + k]);
+    };
+    const double recurrence_weight =
+        has_places ? o.recurrence_weight : (std::max)(o.recurrence_weight, o.recurrence_without_places);
+    for (std::size_t t = 0; t < a.samples; ++t) {
+      append(o.mean_weight, a.mean, 1, t);
+      append(recurrence_weight, a.recurrence, 2 * a.lags, t);
+      if (has_places) append(o.place_weight, a.places, a.classes, t);
+    }
+    return result;
+  }
+
+  double norm(const std::vector<float>& vectors) const
+  {
+    double sum = 0;
+    for (std::size_t t = 0; t * m_width < vectors.size(); ++t) {
+      double squares = 0;
+      for (std::size_t k = 0; k < m_width; ++k)
+        squares += double(vectors[t * m_width + k]) * double(vectors[t * m_width + k]);
+      sum += std::sqrt(squares);
+    }
+    return sum;
+  }
+
+  std::size_t m_width;
+  std::vector<float> m_a, m_b;
+  double m_norm = 0;
+};
+
+} // namespace internal
+} // namespace Animated_mesh_features
+} // namespace CGAL
+
+#endif // CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_INTERNAL_ACTIVITY_COST_H

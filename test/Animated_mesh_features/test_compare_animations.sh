@@ -1,0 +1,131 @@
+#!/usr/bin/env bash
+# Copyright (c) 2026 The Animated_mesh_features authors.
+#
+# This file is part of the package Animated_mesh_features for CGAL.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# compare_animations on generated animations: distances and maps that must be what they are, collections with what is broken
+# in them, a check of two takes; files and exit codes. What is computed is tested by test_comparison.cpp.
+# DETECT_FEATURES, MAKE_ANIMATION and COMPARE_ANIMATIONS are the programs; without them, or without python3, the test is
+# skipped (77).
+
+source "$(dirname "${BASH_SOURCE[0]}")/shell_test.bash"
+needs detect_features make_animation compare_animations python3
+enter_empty_folder
+
+mkdir set
+"$generator" figure --vertices 1000 --frames 36 -o set/a >/dev/null || fail "make_animation"
+"$generator" figure --vertices 1300 --frames 18 --fps 15 -o set/b >/dev/null || fail "make_animation"
+"$generator" cylinder --vertices 700 --frames 36 -o set/c >/dev/null || fail "make_animation"
+"$program" set/a.obj set/a.pc2 --quiet -o a.json || fail "detect_features"
+program="$comparer"
+
+cat >tool.py <<'PYTHON'
+import json, math, struct, sys
+
+
+def load(name):
+    with open(name + ".json") as file:
+        return json.load(file, parse_constant=lambda c: sys.exit(name + ".json contains " + c))
+
+
+def npy_shape(path):
+    data = open(path, "rb").read()
+    length = struct.unpack("<H", data[8:10])[0]
+    return eval(data[10:10 + length])["shape"]
+
+
+def late(pair):
+    """The largest difference of mapped times, which are the same in both."""
+    a = pair["alignment"]
+    return max(abs(s - t) for s, t in zip(a["times_a"], a["times_b"]))
+
+
+names = dict(globals(), **{n: load(n) for n in sys.argv[2:]})
+sys.exit(0 if eval("(" + sys.argv[1] + ")", names) else 1)
+PYTHON
+
+# check <python expression> <JSON files without ending...>
+check() {
+  checks=$((checks + 1))
+  python3 tool.py "$@" || fail "$1"
+}
+
+# --------------------------------------------------------------------------------------------------------- two animations
+
+expect 0 "" set/a.pc2 set/a.pc2 -o same.json --cache . --tolerance 0 --check
+check "same['distance'] == 0 and same['alignment']['cost'] == 0 and same['exceeding'] == 0 and late(same) < 1e-9
+       and all(m['a'] == m['b'] for m in same['matches']) and len(same['matches']) > 5" same
+grep -q "matched features" out || fail "no table"
+[[ $(ls ./*.signature | wc -l) -eq 1 ]] || fail "no cache"
+expect 0 "" set/a.pc2 set/b.obj,set/b.pc2 --fps 15 -o other.json --cache . # a's rate is told wrongly: another signature
+expect 0 "" set/a.pc2 set/a.obj,set/a.pc2 -o again.json --cache .
+cmp -s same.json again.json || check "{**same, 'differences': 0} == {**again, 'differences': 0}" same again
+echo broken >"$(ls ./a.*.signature | head -1)"
+expect 0 "" set/a.pc2 a.json -q -o features.json --cache . # a file of features: no descriptors, the same times
+check "features['alignment']['confidence'] >= 0 and features['b']['features'] == features['a']['features']" features
+expect 0 "" describe set/a.pc2 -o described.json --write-descriptors described.npy
+check "npy_shape('described.npy') == (len(described['features']), 100) and described['length'] == 100
+       and all(abs(math.hypot(*f['descriptor']) - 1) < 1e-5 for f in described['features'])" described
+expect 0 "" describe set/a.pc2 --descriptor oriented -o oriented.json
+check "oriented['length'] == 192" oriented
+
+# a take without its strongest event, and one more time
+python3 - <<'PYTHON'
+import json
+take = json.load(open("a.json"))
+gone = take["features"].pop(0)
+json.dump(take, open("take.json", "w"))
+print(gone["amplitude"])
+PYTHON
+expect 1 "by more than the tolerance" a.json take.json --check --tolerance 0.01 -o differ.json
+check "differ['differences'][0]['in'] == 'A only' and differ['exceeding'] == 1" differ
+expect 0 "" a.json take.json --check --tolerance 1000
+
+# ------------------------------------------------------------------------------------------------------------ collections
+
+cat >list.txt <<'LIST'
+# a comment, and files with their own frame rates
+set/a.obj set/a.pc2
+set/b.obj set/b.pc2 --fps 15
+set/c.obj set/c.pc2
+LIST
+expect 0 "" matrix list.txt --cache . -o matrix.json --threads 1
+check "[x['name'] for x in matrix['animations']] == ['a', 'b', 'c']
+       and all(matrix['distances'][i][j] == matrix['distances'][j][i] for i in range(3) for j in range(3))
+       and matrix['distances'][0][1] < 0.5 * matrix['distances'][0][2]" matrix
+expect 0 "" matrix list.txt -o threads.json # without the cache, on all threads
+check "matrix['distances'] == threads['distances']" matrix threads
+expect 0 "" query set/a.pc2 list.txt --cache . -o query.json
+check "[r['name'] for r in query['ranking']] == ['a', 'b', 'c'] and query['ranking'][0]['distance'] == 0" query
+mkdir other && cp a.json other/a.json && echo '{"format": "animated-mesh-features", "version": 99}' >other/z.json
+expect 3 "z is left out" matrix other a.json take.json -o left.json
+check "left['left_out'] == 1 and len(left['animations']) == 3 and len(set(x['name'] for x in left['animations'])) == 3" left
+
+# ---------------------------------------------------------------------------------------------------------- what is wrong
+
+python3 - <<'PYTHON'
+import json
+nothing = json.load(open("a.json"))
+nothing["features"] = []
+json.dump(nothing, open("nothing.json", "w"))
+PYTHON
+expect 0 "" a.json nothing.json -o nothing_found.json
+check "nothing_found['matches'] == [] and nothing_found['distance'] <= 1" nothing_found
+expect 2 "two animations are compared" a.json
+expect 2 "collection" matrix
+expect 2 "goes with two animations" matrix list.txt --check
+expect 2 "is in the collection twice" matrix a.json a.json
+mkdir empty
+expect 3 "there are no animations" matrix empty
+expect 3 "missing.json" missing.json a.json
+expect 2 "no such folder" a.json a.json --cache nowhere
+expect 2 "rotation-free" a.json a.json --descriptor nonsense
+cp a.json kept.json
+expect 2 "" a.json take.json -o a.json
+cmp -s a.json kept.json || fail "an input was overwritten"
+expect 4 "nowhere" a.json take.json -o nowhere/x.json
+
+echo "$checks checks"
+exit $failed

@@ -1,0 +1,573 @@
+// Copyright (c) 2026 The Animated_mesh_features authors.
+//
+// This file is part of the package Animated_mesh_features for CGAL.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Descriptors, matching, alignment, distance: against exact values, invariances and plain forms of the same sums.
+
+#include "test_shapes.h"
+
+#include <CGAL/Animated_mesh_features/Applications/Animation_signature.h>
+#include <CGAL/Animated_mesh_features/Applications/align_animations.h>
+#include <CGAL/Animated_mesh_features/Applications/align_events.h>
+#include <CGAL/Animated_mesh_features/Applications/animation_activity.h>
+#include <CGAL/Animated_mesh_features/Applications/animation_distance.h>
+#include <CGAL/Animated_mesh_features/Applications/classical_scaling.h>
+#include <CGAL/Animated_mesh_features/Applications/event_differences.h>
+#include <CGAL/Animated_mesh_features/Descriptors/describe_features.h>
+#include <CGAL/Animated_mesh_features/Descriptors/match_features.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <vector>
+
+namespace Amf = CGAL::Animated_mesh_features;
+using namespace test_support;
+
+typedef Amf::Rest_shape Rest_shape;
+typedef Amf::Feature_point Feature;
+typedef Amf::Spatio_temporal_field<double> Field;
+typedef Amf::Rotation_free_gradient_histogram Rotation_free;
+typedef Amf::Oriented_gradient_histogram Oriented;
+
+// the first feature at this vertex, without a triangle
+Feature feature_at(std::size_t vertex, double time, double sigma, double tau, double amplitude = 1)
+{
+  Feature f;
+  f.vertex_index = vertex;
+  f.triangle = {{vertex, vertex, vertex}};
+  f.time = time;
+  f.sigma = sigma;
+  f.tau = tau;
+  f.amplitude = f.strength = amplitude;
+  return f;
+}
+
+std::size_t nearest_vertex(const Points& points, const Vec& p)
+{
+  std::size_t best = 0;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if ((points[v] - p).norm() < (points[best] - p).norm()) best = v;
+  return best;
+}
+
+// A field that is a function of place and time.
+template <class Function>
+Field field_of(const Points& points, std::size_t frames, double frame_duration, const Function& function)
+{
+  Field field(points.size(), frames);
+  for (std::size_t v = 0; v < points.size(); ++v)
+    for (std::size_t f = 0; f < frames; ++f) field(v, f) = function(points[v], double(f) * frame_duration);
+  return field;
+}
+
+double length_of(const std::vector<float>& d)
+{
+  double squares = 0;
+  for (float x : d) squares += double(x) * double(x);
+  return std::sqrt(squares);
+}
+
+template <class Descriptor>
+std::vector<float> described(const Rest_shape& shape, const Field& field, double frame_duration, const Feature& f,
+                             const Descriptor& descriptor)
+{
+  const Amf::Feature_descriptors d = Amf::describe_features(shape, field, frame_duration, {f}, descriptor);
+  return std::vector<float>(d[0], d[0] + d.length());
+}
+
+double difference(const std::vector<float>& a, const std::vector<float>& b)
+{
+  return Amf::descriptor_distance(a.data(), b.data(), a.size());
+}
+
+// --------------------------------------------------------------------------------------------------- neighbourhoods
+
+// On a plane the log map is the plane itself, and the gradient of a linear field is exact.
+void test_neighbourhood()
+{
+  Random random(1);
+  const Shape square = irregular_square(16, random);
+  const Rest_shape shape = rest_shape_of(square);
+  const std::size_t centre = nearest_vertex(square.points, Vec(0.5, 0.5, 0));
+  const Vec slope(0.7, -0.4, 0);
+  const double rate = 0.3, duration = 0.1;
+  const Field field =
+      field_of(square.points, 41, duration, [&](const Vec& p, double t) { return slope.dot(p) + rate * t; });
+  Feature f = feature_at(centre, 2.03, 0.1, 0.4);
+  Amf::Neighbourhood_sampler<double> sampler(shape, field, duration);
+  const Amf::Feature_neighbourhood n = sampler(f);
+  std::size_t inside = 0;
+  for (const Vec& p : square.points) inside += (p - square.points[centre]).norm() <= 3 * f.sigma ? 1 : 0;
+  CHECK(n.vertices.size() == inside);
+  CHECK(n.times.size() == 25 && n.times.front() == -3 && n.times.back() == 3);
+  std::size_t i = 0;
+  for (const auto& v : n.vertices) {
+    CHECK(std::hypot(v.x, v.y) <= 3);
+    const auto& g = n.gradients[i * n.times.size() + 5];
+    CHECK_NEAR(std::hypot(g[0], g[1]), slope.norm() * f.sigma, 1e-5);
+    // the value at the place that the map tells: linear, so that value - value at the centre is the gradient's product
+    CHECK_NEAR(n.values[i * n.times.size() + 12] - n.values[12], g[0] * v.x + g[1] * v.y, 1e-5);
+    CHECK_NEAR(g[2], rate * f.tau, 1e-5);
+    ++i;
+  }
+  // counterclockwise from outside: two known vertices
+  const Vec a = square.points[centre + 1] - square.points[centre],
+            b = square.points[centre + 17] - square.points[centre];
+  double x[2] = {0, 0}, y[2] = {0, 0};
+  for (const auto& v : n.vertices) {
+    const double r = std::hypot(v.x, v.y) * f.sigma;
+    if (std::abs(r - a.norm()) < 1e-9) x[0] = v.x, y[0] = v.y;
+    if (std::abs(r - b.norm()) < 1e-9) x[1] = v.x, y[1] = v.y;
+  }
+  CHECK_NEAR(x[0] * y[1] - y[0] * x[1], (a[0] * b[1] - a[1] * b[0]) / (f.sigma * f.sigma), 1e-6);
+  CHECK_THROWS(Amf::Input_error, sampler(feature_at(square.points.size(), 1, 0.1, 0.1)), "vertices");
+  CHECK_THROWS(Amf::Input_error, sampler(feature_at(centre, 1, 0, 0.1)), "must be positive");
+  CHECK_THROWS(Amf::Option_error, Amf::Neighbourhood_sampler<double>(shape, Field(3, 5), 1), "the field is 3 x 5");
+}
+
+// ------------------------------------------------------------------------------------------------------ descriptors
+
+// something without symmetry around the feature
+double event(const Vec& p, double t)
+{
+  const double s = 0.12, u = 0.3;
+  const auto blob = [&](const Vec& c, double when, double a) {
+    return a * std::exp(-(p - c).squaredNorm() / (2 * s * s) - (t - when) * (t - when) / (2 * u * u));
+  };
+  return blob(Vec(0.5, 0.5, 0), 1, 1) + blob(Vec(0.7, 0.56, 0), 1.3, 0.8) + blob(Vec(0.45, 0.3, 0), 0.6, 0.5);
+}
+
+void test_descriptors()
+{
+  Random random(2);
+  const Shape square = irregular_square(30, random);
+  const Rest_shape shape = rest_shape_of(square);
+  const double duration = 0.05;
+  const std::size_t centre = nearest_vertex(square.points, Vec(0.5, 0.5, 0));
+  const Feature f = feature_at(centre, 1, 0.12, 0.3);
+  const Field field = field_of(square.points, 45, duration, event);
+  const std::vector<float> free = described(shape, field, duration, f, Rotation_free());
+  const std::vector<float> oriented = described(shape, field, duration, f, Oriented());
+  CHECK(free.size() == 100 && oriented.size() == 192);
+  CHECK_NEAR(length_of(free), 1, 1e-5);
+  CHECK_NEAR(length_of(oriented), 1, 1e-5);
+  CHECK(*std::min_element(free.begin(), free.end()) >= 0 && *std::max_element(free.begin(), free.end()) < 0.35);
+
+  // moved, turned, scaled, its field multiplied and raised
+  const Eigen::AngleAxisd turn = random.rotation();
+  const Vec shift = random.vector(3);
+  Shape moved = square;
+  for (Vec& p : moved.points) p = turn * (2.5 * p) + shift;
+  Feature g = f;
+  g.sigma *= 2.5;
+  Field other = field;
+  for (std::size_t v = 0; v < square.points.size(); ++v)
+    for (std::size_t k = 0; k < 45; ++k) other(v, k) = 3 * field(v, k) + 2;
+  CHECK_NEAR(difference(free, described(rest_shape_of(moved), other, duration, g, Rotation_free())), 0, 1e-3);
+  CHECK_NEAR(difference(oriented, described(rest_shape_of(moved), other, duration, g, Oriented())), 0, 1e-3);
+
+  // mirrored: x is -x, and faces the other way round
+  Shape mirror = square;
+  for (Vec& p : mirror.points) p[0] = -p[0];
+  for (auto& c : mirror.faces) std::swap(c[0], c[1]);
+  CHECK_NEAR(difference(free, described(rest_shape_of(mirror), field, duration, f, Rotation_free())), 0, 1e-3);
+  const std::vector<float> opposite = described(rest_shape_of(mirror), field, duration, f, Oriented());
+  std::vector<float> mirrored(oriented.size());
+  Oriented().mirrored(oriented.data(), mirrored.data());
+  CHECK_NEAR(difference(mirrored, opposite), 0, 1e-3);
+  CHECK(difference(oriented, opposite) > 0.1); // this event is not its own mirror image
+
+  // numbered the other way round
+  Shape renumbered = square;
+  const int last = int(square.points.size()) - 1;
+  std::reverse(renumbered.points.begin(), renumbered.points.end());
+  for (auto& c : renumbered.faces)
+    for (int& v : c) v = last - v;
+  const Field again = field_of(renumbered.points, 45, duration, event);
+  const Feature h = feature_at(std::size_t(last) - centre, 1, 0.12, 0.3);
+  CHECK_NEAR(difference(free, described(rest_shape_of(renumbered), again, duration, h, Rotation_free())), 0, 1e-3);
+  CHECK_NEAR(difference(oriented, described(rest_shape_of(renumbered), again, duration, h, Oriented())), 0, 1e-3);
+
+  // other frame rate and other mesh: what changes is small against another event
+  const Field half = field_of(square.points, 23, 2 * duration, event);
+  CHECK(difference(free, described(shape, half, 2 * duration, f, Rotation_free())) < 0.08);
+  const Shape coarse_square = irregular_square(20, random);
+  const std::size_t near = nearest_vertex(coarse_square.points, square.points[centre]);
+  const Rest_shape coarse = rest_shape_of(coarse_square);
+  const double resampled = difference(free, described(coarse, field_of(coarse_square.points, 45, duration, event),
+                                                      duration, feature_at(near, 1, 0.12, 0.3), Rotation_free()));
+  const double different = difference(
+      free, described(shape, field, duration,
+                      feature_at(nearest_vertex(square.points, Vec(0.7, 0.56, 0)), 1.3, 0.12, 0.3), Rotation_free()));
+  CHECK(resampled < 0.5 * different);
+  // the refined place is what counts: the same as that of the vertex it lies on
+  Feature placed = feature_at(centre + 1, 1, 0.12, 0.3);
+  placed.triangle = {{centre + 1, centre, centre}};
+  placed.barycentric_coordinates = {{0, 1, 0}};
+  CHECK_NEAR(difference(free, described(shape, field, duration, placed, Rotation_free())), 0, 0.02);
+  // nothing happens: nothing to describe
+  CHECK(length_of(described(shape, Field(square.points.size(), 45), duration, f, Oriented())) == 0);
+}
+
+// -------------------------------------------------------------------------------------------------------- landmarks
+
+void test_landmarks()
+{
+  const Shape ball = sphere(3);
+  const Rest_shape shape = rest_shape_of(ball);
+  const Amf::Surface_landmarks landmarks(shape);
+  CHECK(landmarks.vertices().size() == 64);
+  for (std::size_t v = 0; v < ball.points.size(); v += 7) CHECK_NEAR(landmarks.eccentricity(v), 1, 0.06);
+  float profile[Amf::Surface_landmarks::profile_length];
+  landmarks.profile(5, profile);
+  CHECK(std::is_sorted(profile, profile + Amf::Surface_landmarks::profile_length));
+  CHECK_NEAR(profile[Amf::Surface_landmarks::profile_length - 1], 1, 0.02); // all of it within pi, twice the mean
+  CHECK_NEAR(profile[4], 0.5, 0.06);                                        // half of it within the mean
+
+  // with all vertices as landmarks, the plain mean over all paths
+  Random random(3);
+  const Shape small = irregular_square(6, random);
+  const Rest_shape plane = rest_shape_of(small);
+  const Amf::Surface_landmarks all(plane, 1000);
+  CHECK(all.vertices().size() == small.points.size());
+  const std::size_t n = small.points.size();
+  std::vector<double> d(n * n, std::numeric_limits<double>::infinity());
+  for (std::size_t v = 0; v < n; ++v) d[v * n + v] = 0;
+  for (const Rest_shape::Edge& e : plane.edges())
+    d[e.source * n + e.target] = d[e.target * n + e.source] = (small.points[e.source] - small.points[e.target]).norm();
+  for (std::size_t k = 0; k < n; ++k) // Floyd and Warshall
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) d[i * n + j] = std::min(d[i * n + j], d[i * n + k] + d[k * n + j]);
+  const std::vector<double>& areas = all.areas();
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.);
+  double mean = 0;
+  std::vector<double> means(n, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) means[i] += areas[j] * d[i * n + j] / area;
+    mean += areas[i] * means[i] / area;
+  }
+  CHECK_NEAR(all.mean_distance(), mean, 1e-6);
+  for (std::size_t i = 0; i < n; ++i) CHECK_NEAR(all.eccentricity(i), means[i] / mean, 1e-6);
+}
+
+// --------------------------------------------------------------------------------------------------------- matching
+
+// Features at places in space, with straight distances, told apart by sigma only.
+Amf::Described_features body(const Points& places, const std::vector<double>& times, const std::vector<double>& sigmas)
+{
+  std::vector<Feature> features;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    Feature f = feature_at(i, times[i], sigmas[i], 0.1, 1 + 0.01 * double(i));
+    for (std::size_t k = 0; k < 3; ++k) f.rest_position[k] = places[i][Eigen::Index(k)];
+    features.push_back(f);
+  }
+  return Amf::described_features(features, 4);
+}
+
+void test_matching()
+{
+  Random random(4);
+  Points places, other;
+  std::vector<double> times, warped, sigmas;
+  const std::size_t n = 24;
+  for (std::size_t i = 0; i < n; ++i) {
+    places.push_back(random.vector());
+    times.push_back(random(0, 3));
+    sigmas.push_back(random.power(0.1, 0.4));
+  }
+  // turned, and a little slower towards the end; then some that are of nothing
+  const Eigen::AngleAxisd turn = random.rotation();
+  for (std::size_t i = 0; i < n; ++i) {
+    other.push_back(turn * places[n - 1 - i] + Vec(1, 2, 3));
+    warped.push_back(times[n - 1 - i] * (1 + 0.04 * times[n - 1 - i]));
+  }
+  std::vector<double> other_sigmas(sigmas.rbegin(), sigmas.rend());
+  for (int i = 0; i < 8; ++i) {
+    other.push_back(random.vector() + Vec(1, 2, 3));
+    warped.push_back(random(0, 3));
+    other_sigmas.push_back(random.power(0.1, 0.4));
+  }
+  const Amf::Described_features a = body(places, times, sigmas), b = body(other, warped, other_sigmas);
+  const std::vector<Amf::Feature_match> matches = Amf::match_features(a, b);
+  std::size_t right = 0;
+  std::set<std::size_t> used;
+  for (const Amf::Feature_match& m : matches) {
+    right += m.b == n - 1 - m.a ? 1 : 0;
+    CHECK(m.confidence > 0 && m.confidence <= 1);
+    CHECK(used.insert(m.b).second);
+  }
+  CHECK(right >= n - 1 && matches.size() <= n + 3);
+  // backwards in time nothing agrees
+  for (double& t : warped) t = 5 - t;
+  CHECK(Amf::match_features(a, body(other, warped, other_sigmas)).size() < n / 2);
+
+  // a body with two sides that do the same at the same time: of the two ways the one that is a rotation
+  Points sides, turned_sides;
+  std::vector<double> at, size;
+  for (int i = 0; i < 8; ++i) {
+    const Vec p(random(0.3, 1), random(-1, 1), random(-1, 1));
+    for (double s : {1., -1.}) {
+      sides.push_back(Vec(s * p[0], p[1], p[2]));
+      at.push_back(0.3 * i);
+      size.push_back(0.2);
+    }
+  }
+  for (const Vec& p : sides) turned_sides.push_back(turn * p);
+  for (const Amf::Feature_match& m : Amf::match_features(body(sides, at, size), body(turned_sides, at, size)))
+    CHECK(m.a == m.b);
+  // of its mirror image, the other side
+  for (Vec& p : turned_sides) p[2] = -p[2];
+  for (const Amf::Feature_match& m : Amf::match_features(body(sides, at, size), body(turned_sides, at, size)))
+    CHECK(m.a == (m.b ^ 1));
+  CHECK(Amf::match_features(body({}, {}, {}), a).empty());
+  Amf::Matching_options options;
+  options.mutual_nearest = true;
+  CHECK(Amf::match_features(a, a, options).size() == n);
+  options.max_ratio = 0;
+  CHECK_THROWS(Amf::Option_error, Amf::match_features(a, a, options), "ratio");
+}
+
+// -------------------------------------------------------------------------------------------------------- alignment
+
+// A motion of some places that deform one after the other, at times that `clock` maps to its own.
+template <class Clock>
+Amf::Activity motion(std::size_t frames, double duration, const Clock& clock, int kind = 0)
+{
+  const std::size_t n = 12;
+  Field field(n, frames);
+  std::vector<double> areas(n), eccentricities(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    areas[v] = 1 + double(v % 3);
+    eccentricities[v] = 0.7 + 0.08 * double(v);
+    for (std::size_t f = 0; f < frames; ++f) {
+      const double t = clock(double(f) * duration);
+      const double when = kind == 0 ? 0.3 * double((7 * v) % n) : 0.25 * double((5 * v + 3) % n) + 0.2;
+      const double width = kind == 0 ? 0.2 + 0.02 * double(v) : 0.35 - 0.02 * double(v);
+      field(v, f) = (kind == 0 ? 1 + 0.5 * double(v % 4) : 2 - 0.4 * double(v % 5)) *
+                    std::exp(-(t - when) * (t - when) / (2 * width * width));
+    }
+  }
+  return Amf::animation_activity(field, areas, eccentricities, duration);
+}
+
+// The least sum over all ways, by trying all last steps.
+double plain_warping(const std::vector<std::vector<double>>& c, std::size_t slope)
+{
+  const std::size_t n = c.size(), m = c[0].size();
+  std::vector<std::vector<double>> best(n, std::vector<double>(m, std::numeric_limits<double>::infinity()));
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < m; ++j) {
+      double& b = best[i][j];
+      if (i == 0 && j == 0) b = 2 * c[0][0];
+      if (i == 0 && j > 0) b = best[0][j - 1] + c[0][j];
+      if (j == 0 && i > 0) b = best[i - 1][0] + c[i][0];
+      for (std::size_t q = 1; q <= slope; ++q) {
+        if (i >= 1 && j >= q) {
+          double sum = best[i - 1][j - q] + c[i][j - q + 1];
+          for (std::size_t r = 0; r < q; ++r) sum += c[i][j - r];
+          b = std::min(b, sum);
+        }
+        if (j >= 1 && i >= q) {
+          double sum = best[i - q][j - 1] + c[i - q + 1][j];
+          for (std::size_t r = 0; r < q; ++r) sum += c[i - r][j];
+          b = std::min(b, sum);
+        }
+      }
+    }
+  double least = best[n - 1][m - 1], rest = 0;
+  for (std::size_t j = m - 1; j-- > 0;) least = std::min(least, best[n - 1][j] + (rest += c[n - 1][j + 1]));
+  rest = 0;
+  for (std::size_t i = n - 1; i-- > 0;) least = std::min(least, best[i][m - 1] + (rest += c[i + 1][m - 1]));
+  return least;
+}
+
+void test_alignment()
+{
+  const double pi = 3.14159265358979323846, frame = 1. / 30, D = 3.6;
+  const auto same = [](double t) { return t; };
+  const Amf::Activity a = motion(109, frame, same);
+  CHECK(a.samples == 109 && a.classes == 6 && a.lags == 7);
+  double squares = 0;
+  for (float x : a.mean) squares += double(x) * double(x) / 109;
+  CHECK_NEAR(squares, 1, 1e-5);
+  Amf::Time_alignment self = Amf::align_animations(a, a);
+  CHECK(self.cost == 0);
+  for (double t : {0., 0.77, 3.6}) CHECK_NEAR(self.to_b(t), t, 1e-9);
+  CHECK(self.confidence > 0.5);
+
+  // a smooth warp of up to 30 %, and both ways
+  const auto warp = [&](double t) { return t + 0.3 * D * std::sin(2 * pi * t / D) / (2 * pi); };
+  const Amf::Activity b = motion(109, frame, warp);
+  const Amf::Time_alignment warped = Amf::align_animations(b, a);
+  std::vector<double> errors;
+  for (double t = 0; t <= D; t += frame) {
+    errors.push_back(std::abs(warped.to_b(t) - warp(t)) / frame);
+    CHECK_NEAR(warped.to_a(warped.to_b(t)), t, frame);
+  }
+  std::sort(errors.begin(), errors.end());
+  CHECK(errors[errors.size() / 2] < 0.5 && errors[errors.size() * 95 / 100] < 1.5);
+  CHECK(std::is_sorted(warped.times_b.begin(), warped.times_b.end()));
+  CHECK(warped.confidence > 0.5);
+
+  // a part of it: open ends
+  const Amf::Activity part = motion(60, frame, [&](double t) { return t + 0.9; });
+  Amf::Alignment_options open;
+  open.end_weight = 0.1;
+  const Amf::Time_alignment inside = Amf::align_animations(part, a, open);
+  CHECK_NEAR(inside.to_b(1), 1.9, 1.5 * frame);
+
+  const Amf::Activity other = motion(109, frame, same, 1);
+  CHECK(Amf::align_animations(a, other).confidence < 0.35);
+
+  // against the plain form, on the mean alone
+  Amf::Alignment_options options;
+  options.recurrence_weight = options.recurrence_without_places = options.place_weight = 0;
+  options.bend_weight = 0;
+  options.surrogates = 0;
+  const Amf::Activity x = motion(20, 0.15, same), y = motion(26, 0.15, warp, 1);
+  std::vector<std::vector<double>> costs(x.samples, std::vector<double>(y.samples));
+  double norm = 0;
+  for (float u : x.mean) norm += std::abs(u);
+  for (float u : y.mean) norm += std::abs(u);
+  for (std::size_t i = 0; i < x.samples; ++i)
+    for (std::size_t j = 0; j < y.samples; ++j) costs[i][j] = std::abs(x.mean[i] - y.mean[j]);
+  for (std::size_t slope : {1, 2, 3}) {
+    options.max_slope = slope;
+    CHECK_NEAR(Amf::align_animations(x, y, options).cost, plain_warping(costs, slope) / norm, 1e-6);
+  }
+  options.max_slope = 0;
+  CHECK_THROWS(Amf::Option_error, Amf::align_animations(x, y, options), "slope");
+  Amf::Activity_options finer;
+  finer.sample_duration = 1. / 60;
+  CHECK_THROWS(Amf::Option_error, Amf::align_animations(a, Amf::animation_activity(Field(1, 9), {1.}, {}, 0.1, finer)),
+               "activities");
+}
+
+void test_distance()
+{
+  const double frame = 1. / 30;
+  const auto same = [](double t) { return t; };
+  const Amf::Activity a = motion(109, frame, same), b = motion(109, frame, same, 1);
+  const double different = Amf::animation_distance(a, b);
+  CHECK(different > 0.1 && different <= 1);
+  CHECK(Amf::animation_distance(a, a) == 0);
+  CHECK(Amf::animation_distance(a, b) == Amf::animation_distance(b, a));
+  CHECK(Amf::animation_distance(a, motion(55, 2 * frame, same)) < 0.1 * different); // half of the frames
+  CHECK(Amf::animation_distance(a, motion(217, frame / 2, same)) < 0.1 * different);
+  // nothing moves: nothing in common with what does, the same as another one that does not
+  const Amf::Activity still = Amf::animation_activity(Field(5, 40), std::vector<double>(5, 1), {}, frame);
+  CHECK(still.level == 0 && still.cycle.period == 0);
+  CHECK(Amf::animation_distance(still, still) == 0);
+  CHECK(Amf::animation_distance(still, a) > 0.9);
+  CHECK_THROWS(Amf::Input_error, Amf::animation_activity(Field(5, 40), std::vector<double>(5, 1), {}, 1e-4), "samples");
+  CHECK_THROWS(Amf::Option_error, Amf::animation_activity(Field(5, 40), std::vector<double>(4, 1), {}, 1), "areas");
+}
+
+void test_cycles()
+{
+  const double pi = 3.14159265358979323846, frame = 1. / 30;
+  const auto gait = [&](double period, double ahead) {
+    Field field(4, 120);
+    for (std::size_t v = 0; v < 4; ++v)
+      for (std::size_t f = 0; f < 120; ++f) {
+        const double phase = 2 * pi * (double(f) * frame / period + ahead) + 0.9 * double(v);
+        field(v, f) = std::exp(std::sin(phase) + 0.3 * std::cos(2 * phase));
+      }
+    return Amf::animation_activity(field, {1, 2, 1, 3}, {0.7, 0.9, 1.1, 1.5}, frame);
+  };
+  const Amf::Activity a = gait(0.8, 0), b = gait(1.1, 0.3);
+  CHECK_NEAR(a.cycle.period, 0.8, 0.02);
+  CHECK_NEAR(b.cycle.period, 1.1, 0.02);
+  CHECK(a.cycle.strength > 0.9);
+  const Amf::Time_alignment alignment = Amf::align_animations(a, gait(0.8, 0.3));
+  CHECK(bool(alignment.phase));
+  if (alignment.phase) CHECK_NEAR(*alignment.phase, 0.3, 0.03);
+  CHECK(motion(109, frame, [](double t) { return t; }).cycle.period == 0);
+}
+
+// ----------------------------------------------------------------------------------------------------------- events
+
+void test_events()
+{
+  Random random(5);
+  Points places;
+  std::vector<double> times, sigmas;
+  for (int i = 0; i < 12; ++i) {
+    places.push_back(random.vector());
+    times.push_back(0.3 * i);
+    sigmas.push_back(random.power(0.05, 0.8));
+  }
+  const Amf::Described_features a = body(places, times, sigmas);
+  const Amf::Event_alignment same = Amf::align_events(a, a);
+  CHECK(same.pairs.size() == 12 && same.only_a.empty() && same.only_b.empty());
+  CHECK_NEAR(same.score, 12, 1e-9);
+  for (std::size_t i = 0; i < same.pairs.size(); ++i) CHECK(same.pairs[i].a == i && same.pairs[i].b == i);
+  // without two that follow one another: one gap of two
+  const auto without = [](auto v) {
+    v.erase(v.begin() + 5, v.begin() + 7);
+    return v;
+  };
+  Amf::Described_features b = body(without(places), without(times), without(sigmas));
+  for (std::size_t i = 0; i < b.features.size(); ++i) b.features[i].amplitude = a.features[i < 5 ? i : i + 2].amplitude;
+  const Amf::Event_alignment gap = Amf::align_events(a, b);
+  CHECK(gap.pairs.size() == 10 && gap.only_b.empty());
+  CHECK(gap.only_a == std::vector<std::size_t>({5, 6}));
+  CHECK_NEAR(gap.score, 10 - 0.4 - 0.1, 1e-9);
+  const Amf::Event_alignment back = Amf::align_events(b, a);
+  CHECK(back.only_b == gap.only_a);
+  CHECK(Amf::align_events(a, body({}, {}, {})).pairs.empty());
+
+  // two takes: one event is missing, one is stronger
+  Amf::Animation_signature x, y;
+  x.vertices = y.vertices = 12;
+  x.diagonal = y.diagonal = 4;
+  x.frame_duration = y.frame_duration = 1. / 30;
+  x.events = y.events = a;
+  y.events.features[3].amplitude += 0.5;
+  y.events.features.erase(y.events.features.begin() + 8);
+  const std::vector<Amf::Event_difference> differences = Amf::event_differences(x, y, Amf::Time_alignment());
+  CHECK(differences.size() == 12);
+  CHECK(differences[0].a && *differences[0].a == 8 && !differences[0].b);
+  CHECK_NEAR(differences[0].amplitude, a.features[8].amplitude, 1e-12);
+  CHECK(differences[1].a && differences[1].b && *differences[1].a == 3);
+  CHECK_NEAR(differences[1].amplitude, 0.5, 1e-12);
+  CHECK_NEAR(differences[2].amplitude, 0, 1e-12);
+}
+
+void test_scaling()
+{
+  Random random(6);
+  const std::size_t n = 9;
+  std::vector<double> x(2 * n), d(n * n);
+  for (double& c : x) c = random(-1, 1);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) d[i * n + j] = std::hypot(x[2 * i] - x[2 * j], x[2 * i + 1] - x[2 * j + 1]);
+  const auto places = Amf::classical_scaling(d, n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j)
+      CHECK_NEAR(std::hypot(places[i][0] - places[j][0], places[i][1] - places[j][1]), d[i * n + j], 1e-5);
+  CHECK(Amf::classical_scaling({}, 0).empty());
+  CHECK_THROWS(Amf::Option_error, Amf::classical_scaling({1}, 2), "distances");
+}
+
+int main()
+{
+  test_neighbourhood();
+  test_descriptors();
+  test_landmarks();
+  test_matching();
+  test_alignment();
+  test_distance();
+  test_cycles();
+  test_events();
+  test_scaling();
+  return test_result();
+}
