@@ -48,20 +48,10 @@ Taken_rest take_frame(std::size_t frame, Sequence& sequence)
   return {"frame:" + std::to_string(frame), "frame " + std::to_string(frame), "", false, 1};
 }
 
-Taken_rest take_average(Sequence& sequence)
+Taken_rest take_average(Sequence& sequence, AMF::Any_visitor visitor)
 {
-  AMF::set_canonical_rest_shape(sequence);
+  AMF::set_canonical_rest_shape(sequence, visitor);
   return {"average", "the average of all frames", "", false, 1};
-}
-
-Taken_rest take_points(const Rest_points& points, Taken_rest taken, Sequence& sequence)
-{
-  std::vector<Sequence::Point_3> converted;
-  converted.reserve(points.size());
-  for (const auto& p : points) converted.emplace_back(p[0], p[1], p[2]);
-  taken.factor =
-      sequence.set_rest_shape(converted, taken.is_scaled ? AMF::Rest_unit::RESCALE : AMF::Rest_unit::CHECK);
-  return taken;
 }
 
 // Another shape than the frames that comes with the input.
@@ -137,11 +127,12 @@ void add_notices(const Own_shape& own, const Rest_comparison& c, std::vector<std
 }
 
 // Where the average cannot be had, an input is not refused that nobody asked the average of.
-Taken_rest take_average_or_first(std::string reason, Sequence& sequence, std::vector<std::string>& notices)
+Taken_rest take_average_or_first(std::string reason, Sequence& sequence, std::vector<std::string>& notices,
+                                 AMF::Any_visitor visitor)
 {
   Taken_rest taken;
   try {
-    taken = take_average(sequence);
+    taken = take_average(sequence, visitor);
   } catch (const AMF::Numerical_error& e) {
     notices.push_back(std::string(e.what()) + "; the rest shape is the first frame instead");
     taken = take_frame(0, sequence);
@@ -155,20 +146,22 @@ Taken_rest take_average_or_first(std::string reason, Sequence& sequence, std::ve
 // there from rest, as that of simulations and gestures; in the middle of a motion, the average is nearer to rest.
 // Measured on 16 motions of two bodies with a skeleton, of whose events 0.48 are found against the first frame, 0.41
 // against the average, 0.51 against what is taken here; 0.66, 0.70 and 0.68 of the features are at events.
-Taken_rest take_by_input(const File_data& data, bool is_model, Sequence& sequence, std::vector<std::string>& notices)
+Taken_rest take_by_input(const File_data& data, bool is_model, Sequence& sequence, std::vector<std::string>& notices,
+                         AMF::Any_visitor visitor)
 {
   const double usual_ratio = 1.3; // as Rest_unit::CHECK has it
   std::optional<Own_shape> own = own_shape(data, is_model);
-  if (!own) return take_average_or_first("there are only frames", sequence, notices);
+  if (!own) return take_average_or_first("there are only frames", sequence, notices, visitor);
   if (const std::optional<std::size_t> frame = frame_at(own->points, sequence)) {
     const std::string name = own->taken.name + " is frame " + std::to_string(*frame);
-    if (*frame != 0 || !begins_still(sequence)) return take_average_or_first(name, sequence, notices);
+    if (*frame != 0 || !begins_still(sequence))
+      return take_average_or_first(name, sequence, notices, visitor);
     Taken_rest taken = take_frame(0, sequence);
     taken.reason = own->taken.name + ", from which the motion begins at rest";
     return taken;
   }
   Rest_comparison c = compare_with_frames(own->points, sequence, false);
-  if (!(c.ratio > 0)) return take_average_or_first(own->taken.name + " has no extent", sequence, notices);
+  if (!(c.ratio > 0)) return take_average_or_first(own->taken.name + " has no extent", sequence, notices, visitor);
   own->taken.is_scaled = c.ratio > usual_ratio || c.ratio < 1 / usual_ratio;
   own->taken.reason = is_model ? "given with the clip" : "given with the frames";
   if (own->taken.is_scaled) c = compare_with_frames(own->points, sequence, true);
@@ -178,8 +171,18 @@ Taken_rest take_by_input(const File_data& data, bool is_model, Sequence& sequenc
 
 } // namespace
 
+Taken_rest take_points(const Rest_points& points, Taken_rest taken, Sequence& sequence)
+{
+  std::vector<Sequence::Point_3> converted;
+  converted.reserve(points.size());
+  for (const auto& p : points) converted.emplace_back(p[0], p[1], p[2]);
+  taken.factor =
+      sequence.set_rest_shape(converted, taken.is_scaled ? AMF::Rest_unit::RESCALE : AMF::Rest_unit::CHECK);
+  return taken;
+}
+
 Taken_rest take_rest(const Reading_options& o, const File_data& data, bool is_model, Sequence& sequence,
-                     std::vector<std::string>& notices)
+                     std::vector<std::string>& notices, AMF::Any_visitor visitor)
 {
   switch (o.rest.kind) {
   case Rest::FRAME:
@@ -187,13 +190,13 @@ Taken_rest take_rest(const Reading_options& o, const File_data& data, bool is_mo
       throw AMF::Option_error("--rest " + o.rest.text + ": there is no such frame; frames are 0 to " +
                               std::to_string(data.frames - 1));
     return take_frame(o.rest.frame, sequence);
-  case Rest::AVERAGE: return take_average(sequence);
+  case Rest::AVERAGE: return take_average(sequence, visitor);
   case Rest::MESH:
   case Rest::BIND: return take_own(o, data, is_model, sequence);
   case Rest::FILE: return take_file(o, data, sequence);
   case Rest::BY_INPUT: break;
   }
-  return take_by_input(data, is_model, sequence, notices);
+  return take_by_input(data, is_model, sequence, notices, visitor);
 }
 
 } // namespace Programs
