@@ -88,9 +88,7 @@ py::array handed_over(Values&& field)
   const Values& values = *owned;
   const py::capsule owner(owned.get(), [](void* v) { delete static_cast<Values*>(v); });
   owned.release();
-  py::array array = view_of(values, owner);
-  array.attr("flags").attr("writeable") = true;
-  return array;
+  return view_of(values, owner, false);
 }
 
 py::array measure(const Animation_data& animation, const std::string& kind, const Arguments& arguments,

@@ -87,13 +87,13 @@ py::array array_of(const std::vector<AMF::Rest_shape::Point>& points)
   return std::move(result);
 }
 
-py::array view_of(const Programs::Values& field, const py::object& owner)
+py::array view_of(const Programs::Values& field, const py::object& owner, bool is_shared)
 {
   const py::ssize_t size = sizeof(Programs::FT);
   py::array result(py::dtype::of<Programs::FT>(),
                    {py::ssize_t(field.number_of_rows()), py::ssize_t(field.number_of_frames())},
                    {py::ssize_t(field.stride()) * size, size}, field.row(0), owner);
-  result.attr("flags").attr("writeable") = false;
+  if (is_shared) result.attr("flags").attr("writeable") = false;
   return result;
 }
 

@@ -33,8 +33,8 @@ pybind11::array array_of(const std::vector<AMF::Rest_shape::Triangle>& triangles
 // N x 3
 pybind11::array array_of(const std::vector<AMF::Rest_shape::Point>& points);
 
-// The same memory, N x F, read-only; `owner` keeps it alive.
-pybind11::array view_of(const Programs::Values& field, const pybind11::object& owner);
+// The same memory, N x F, read-only if it is somebody else's, too; `owner` keeps it alive.
+pybind11::array view_of(const Programs::Values& field, const pybind11::object& owner, bool is_shared = true);
 
 } // namespace Python_module
 

@@ -6,7 +6,9 @@
 
 """The same features as the program, whatever the arrays are made of."""
 
+import ast
 import inspect
+import pathlib
 import re
 import subprocess
 
@@ -188,6 +190,26 @@ def test_options_are_those_of_the_program():
         assert getattr(amf, name) is not None
         assert not callable(getattr(amf, name)) or getattr(amf, name).__doc__, name
         assert "{" + "method}" not in (getattr(amf, name).__doc__ or "")
+
+
+def test_type_stubs():
+    """tell the same arguments as the functions have"""
+    folder = pathlib.Path(amf.__file__).parent
+    assert (folder / "py.typed").exists()
+    known = 0
+    for stub in ("_animation", "_detection"):
+        for node in ast.walk(ast.parse((folder / f"{stub}.pyi").read_text(encoding="utf-8"))):
+            parent = node if isinstance(node, ast.ClassDef) else ast.Module(body=[node])
+            for f in parent.body:
+                own = getattr(amf, parent.name, None) if isinstance(node, ast.ClassDef) else amf
+                function = getattr(own, f.name, None) if isinstance(f, ast.FunctionDef) else None
+                if not inspect.isfunction(function):
+                    continue
+                a = f.args
+                names = [x.arg for x in a.args] + ([a.vararg.arg] if a.vararg else []) + [x.arg for x in a.kwonlyargs]
+                assert names == list(inspect.signature(function).parameters), f.name
+                known += 1
+    assert known >= 10
 
 
 def test_welded_vertices(cylinder):
