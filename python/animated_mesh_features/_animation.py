@@ -67,7 +67,7 @@ def _faces(faces):
         raise InputError(f"faces: faces x 3 are expected: {e}") from None
     if array.dtype.kind not in "iu":
         raise InputError(f"faces: integers are expected, not {array.dtype}")
-    if array.dtype == np.uint64 and array.size > 0 and array.max() > np.iinfo(np.int64).max:
+    if array.dtype == np.uint64 and array.size > 0 and int(array.max()) > np.iinfo(np.int64).max:
         raise InputError(f"faces: a face has vertex {array.max()}")
     if array.ndim != 2 or array.shape[1] < 3:
         raise InputError(f"faces: faces x 3 are expected, not {_shape_text(array)}")

@@ -175,10 +175,13 @@ def read_rig_events(path) -> Rig:
             data = json.load(file)
         if data["format"] != "animated-mesh-features-rig-events":
             raise InputError(f"{name}: is no file of the events of a rig")
+        if data["version"] != 1:
+            raise InputError(f"{name}: has version {data['version']} of the format; known is version 1 only")
         joints = data["joints"]
         animation = data["animation"]
         return Rig([j["name"] for j in joints], [j["region"] for j in joints],
-                   [(i, m["time"], m["angle"], m["prominence"]) for i, j in enumerate(joints) for m in j["maxima"]],
+                   [(i, m["time"], m["angle_deg"], m["prominence_deg"])
+                    for i, j in enumerate(joints) for m in j["maxima"]],
                    animation["vertices"], animation["frames"], animation["frame_duration"])
     except (OSError, ValueError, KeyError, TypeError) as e:
         if isinstance(e, InputError):

@@ -116,7 +116,7 @@ def test_intervals_and_chance(result):
 
 def test_rig(tmp_path):
     """the figure's features are at the bends of its joints, more than by chance"""
-    run("MAKE_ANIMATION", "figure", "--vertices", 900, "--frames", 24, "-o", tmp_path / "f",
+    run("MAKE_ANIMATION", "figure", "--vertices", 1200, "--frames", 24, "-o", tmp_path / "f",
         "--events", tmp_path / "e.json")
     rig = ev.read_rig_events(tmp_path / "e.json")
     a = amf.read_animation(tmp_path / "f.obj", tmp_path / "f.pc2", rest="mesh", fps=1 / rig.frame_duration)

@@ -143,6 +143,6 @@ def test_quadrangles(cylinder):
     i = np.arange(len(points)).reshape(x.shape)
     quads = np.stack([i[:-1, :-1], i[:-1, 1:], i[1:, 1:], i[1:, :-1]], axis=-1).reshape(-1, 4)
     triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
-    frames = np.stack([points + np.sin(f) * [0, 0, 0.1] * points[:, :1] ** 2 for f in range(6)])
+    frames = np.stack([points + np.sin(f) * np.array([0, 0, 0.1]) * points[:, :1] ** 2 for f in range(6)])
     a, b = (amf.Animation(frames, faces, rest="first", triangulate=True) for faces in (quads, triangles))
     assert {tuple(f) for f in a.faces} == {tuple(f) for f in b.faces}
