@@ -33,14 +33,17 @@ def plot(result, path):
     dots = above.scatter(features["time"], features["strength"], c=features["sigma"], cmap="viridis", zorder=2)
     figure.colorbar(dots, ax=above, label="sigma (length)")
     above.set(ylabel="strength", title=f"{len(result)} features in {animation.number_of_frames} frames")
-    # vertices in the order of their height at rest: what is near in space is near in the picture
+    # a row for each slice across the longest axis: what is near in space is near in the picture
     height = animation.vertices[:, np.ptp(animation.vertices, axis=0).argmax()]
-    order = np.argsort(height)
-    image = below.pcolormesh(times, height[order], result.deformation[order], shading="nearest", cmap="magma",
+    edges = np.linspace(height.min(), height.max(), 51)
+    slices = np.clip(np.searchsorted(edges, height, side="right") - 1, 0, 49)
+    largest = np.zeros((50, len(times)))
+    np.maximum.at(largest, slices, result.deformation)
+    image = below.pcolormesh(times, (edges[1:] + edges[:-1]) / 2, largest, shading="nearest", cmap="magma",
                              rasterized=True)
-    below.scatter(features["time"], height[features["vertex"]], s=24, facecolors="none", edgecolors="white")
-    figure.colorbar(image, ax=below, label="deformation")
-    below.set(xlabel="time (s)", ylabel="height at rest")
+    below.scatter(features["time"], height[features["vertex"]], s=24, facecolors="none", edgecolors="#2fd0ff")
+    figure.colorbar(image, ax=below, label="largest deformation")
+    below.set(xlabel="time (s)", ylabel="longest axis, at rest")
     figure.savefig(path, dpi=120)
 
 
