@@ -53,12 +53,14 @@ def test_ctrl_c(cylinder):
 import numpy as np, sys, threading, os, signal, time
 import animated_mesh_features as amf
 a = amf.Animation(np.load({str(cylinder.folder / 'f.npy')!r}), np.load({str(cylinder.folder / 't.npy')!r}), rest=0)
+signal.signal(signal.SIGINT, signal.default_int_handler)  # what runs in the background may ignore it
 def interrupt():
     time.sleep(0.3)
     os.kill(os.getpid(), signal.SIGINT)
 threading.Thread(target=interrupt).start()
 try:
-    while True:
+    end = time.monotonic() + 20
+    while time.monotonic() < end:
         amf.detect(a)
 except KeyboardInterrupt:
     print("interrupted")
