@@ -39,8 +39,10 @@ build_and_run()
 
 stage_gcc()
 {
-  configure build/gcc -DCMAKE_CXX_COMPILER=g++ -DANIMATED_MESH_FEATURES_WERROR=ON &&
-    build_and_run build/gcc
+  configure build/gcc -DCMAKE_CXX_COMPILER=g++ -DANIMATED_MESH_FEATURES_WERROR=ON \
+    -DANIMATED_MESH_FEATURES_BUILD_PYTHON=AUTO || return 1
+  grep 'Python module' build/gcc/configure.log
+  build_and_run build/gcc
 }
 
 # find_compiler SANITIZERS: sets `compiler` to one that has them. clang++ first, because it takes two thirds of g++'s time

@@ -42,6 +42,7 @@ OPEN = {
     "benchmark": ["Geodesic_balls/internal/Patch_factors.h", "Geodesic_balls/internal/Surface_patch.h",
                   "Geodesic_balls/internal/Vertex_clusters.h", "Scale_space/internal/Heat_system.h"],
     "doc": [],
+    "python": [],
 }
 
 

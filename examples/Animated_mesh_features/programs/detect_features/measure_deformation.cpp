@@ -12,6 +12,11 @@
 #include <CGAL/Animated_mesh_features/Deformation/Deformation_measurement.h>
 #include <CGAL/Animated_mesh_features/Deformation/subtract_baseline.h>
 #include <CGAL/Animated_mesh_features/Geodesic_balls/default_ball_radius.h>
+#include <CGAL/Animated_mesh_features/Geodesic_balls/geodesic_balls.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
+
+#include <CGAL/tags.h>
 
 using Programs::Field;
 using Programs::Monitor;
@@ -22,6 +27,11 @@ using Programs::Wanted_fields;
 namespace Detect_features {
 
 namespace {
+
+double ball_radius(const AMF::Rest_shape& shape, const Method_options& o)
+{
+  return o.ball_radius ? o.ball_radius->on(shape.diameter()) : AMF::default_ball_radius(shape);
+}
 
 template <class CurvatureMeasure>
 Deformation measure(const Sequence& sequence, const Method_options& o, const Method_values& values,
@@ -35,8 +45,7 @@ Deformation measure(const Sequence& sequence, const Method_options& o, const Met
   options.alpha = values.alpha;
   Deformation result;
   if (options.alpha != 0 || fields.is_wanted(Field::CURVATURE))
-    result.ball_radius = o.ball_radius ? o.ball_radius->on(sequence.rest_shape().diameter())
-                                       : AMF::default_ball_radius(sequence.rest_shape());
+    result.ball_radius = ball_radius(sequence.rest_shape(), o);
   result.bounds_ball_radius = result.ball_radius > 0 && !o.ball_radius &&
                               result.ball_radius < AMF::unbounded_ball_radius(sequence.rest_shape());
   options.ball_radius = result.ball_radius;
@@ -63,6 +72,14 @@ Deformation measure_deformation(const Sequence& sequence, const Method_options& 
   return options.curvature == Curvature::DENSITY
              ? measure(sequence, options, values, AMF::Mean_curvature_density(), fields, monitor)
              : measure(sequence, options, values, AMF::Mean_dihedral_angle(), fields, monitor);
+}
+
+AMF::Compressed_rows find_balls(const AMF::Rest_shape& shape, const Method_options& o, Monitor& monitor)
+{
+  AMF::Any_visitor visitor(monitor);
+  return AMF::geodesic_balls(shape, ball_radius(shape, o), Chosen_balls(o.balls),
+                             AMF::Task_loop<CGAL::Parallel_if_available_tag, AMF::Any_visitor>(
+                                 visitor, AMF::Stage::GEODESIC_BALLS));
 }
 
 } // namespace Detect_features

@@ -13,6 +13,9 @@
 #include "reading/Sequence.h"
 #include "running/Monitor.h"
 
+#include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/Numerics/Compressed_rows.h>
+
 namespace Detect_features {
 
 // The deformation of all vertices in all frames.
@@ -30,6 +33,11 @@ struct Deformation
 Deformation measure_deformation(const Programs::Sequence& sequence, const Method_options& options,
                                 const Method_values& values, Programs::Wanted_fields& fields,
                                 Programs::Monitor& monitor);
+
+// The geodesic balls alone, of the radius and by the method that the options tell: of each vertex the vertices around it.
+// throws Option_error, Numerical_error, Cancelled.
+CGAL::Animated_mesh_features::Compressed_rows find_balls(const CGAL::Animated_mesh_features::Rest_shape& shape,
+                                                         const Method_options& options, Programs::Monitor& monitor);
 
 } // namespace Detect_features
 

@@ -35,8 +35,14 @@ public:
     , m_log(log)
   {}
 
+  virtual ~Wanted_fields() = default;
+  Wanted_fields(const Wanted_fields&) = delete;
+  Wanted_fields& operator=(const Wanted_fields&) = delete;
+
   bool is_written(Field kind) const { return m_options.is_written(kind); }
-  bool is_kept(Field kind) const { return m_options.is_shown(kind); }
+
+  // whether the result of the detection has it; who wants it for other reasons than scenes says so here.
+  virtual bool is_kept(Field kind) const { return m_options.is_shown(kind); }
   bool is_wanted(Field kind) const { return is_written(kind) || is_kept(kind); }
 
   // Writes the field if a file wants it.
@@ -56,6 +62,9 @@ public:
 
   // The deformation first: it is what features are features of.
   const std::list<Kept_field>& kept() const { return m_kept; }
+
+  // The same, handed over.
+  std::list<Kept_field> take_kept() { return std::move(m_kept); }
 
 private:
   const Output_options& m_options;

@@ -9,8 +9,10 @@
 #include "reading/Model_file.h"
 #include "reading/keep_frames.h"
 
+#include <CGAL/Animated_mesh_features/IO/check_frames.h>
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
 #include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>
+#include <CGAL/Animated_mesh_features/IO/weld_animation.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <algorithm>
@@ -150,6 +152,32 @@ Animation::Animation(const Reading_options& options, const AMF::IO::Memory_choos
                        ? AMF::IO::read_animation<FT>(options.inputs, mesh_reading_options(options), choose_memory)
                        : read_model_file(options, format, choose_memory);
   m_is_sampled = format == Model_format::GLTF || format == Model_format::ASSIMP;
+  take(options, data);
+  m_rest = take_rest(options, data, m_is_sampled, *m_sequence, m_notices, visitor);
+  add_notice_of_stiff_parts(m_sequence->rest_shape(), m_notices);
+  m_origins = std::move(data.origins);
+}
+
+Animation::Animation(const Reading_options& options, File_data data, const Rest_points& rest, AMF::Any_visitor visitor)
+{
+  AMF::IO::check_frames(options.skip_bad_frames, data);
+  AMF::IO::weld_animation(mesh_reading_options(options).welding, options.repair, data);
+  take(options, data);
+  if (rest.empty()) {
+    m_rest = take_rest(options, data, false, *m_sequence, m_notices, visitor);
+  } else {
+    Rest_points points;
+    for (std::size_t v = 0; v < m_sequence->number_of_vertices(); ++v)
+      points.push_back(rest[data.origins.empty() ? v : data.origins.file_vertices[data.origins.first[v]]]);
+    m_rest = take_points(points, {"given", "the given rest shape", "", options.rest.rescale, 1}, *m_sequence);
+  }
+  add_notice_of_stiff_parts(m_sequence->rest_shape(), m_notices);
+  m_origins = std::move(data.origins);
+}
+
+// All but the rest shape and the origins.
+void Animation::take(const Reading_options& options, File_data& data)
+{
   m_frames_read = data.frames;
   m_files = data.sources;
   m_files.insert(m_files.end(), data.linked_files.begin(), data.linked_files.end());
@@ -170,9 +198,6 @@ Animation::Animation(const Reading_options& options, const AMF::IO::Memory_choos
   m_mesh = AMF::IO::to_surface_mesh(data.mesh, data.sources.front());
   m_sequence.emplace(m_mesh, std::move(data.x), std::move(data.y), std::move(data.z), 1 / m_frames_per_second);
   check_size(*m_sequence, data.frame_name(0));
-  m_rest = take_rest(options, data, m_is_sampled, *m_sequence, m_notices, visitor);
-  add_notice_of_stiff_parts(m_sequence->rest_shape(), m_notices);
-  m_origins = std::move(data.origins);
 }
 
 } // namespace Programs

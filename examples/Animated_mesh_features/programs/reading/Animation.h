@@ -11,6 +11,7 @@
 #include "reading/Sequence.h"
 #include "reading/take_rest.h"
 
+#include <CGAL/Animated_mesh_features/IO/Animation_file_data.h>
 #include <CGAL/Animated_mesh_features/IO/Memory_chooser.h>
 #include <CGAL/Animated_mesh_features/IO/Vertex_origins.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
@@ -26,10 +27,20 @@ namespace Programs {
 class Animation
 {
 public:
-  // `visitor`: is told of the stage REST_SHAPE, if the rest shape is computed.
-  // throws Input_error and Option_error, Cancelled if the visitor asks for it, and what `choose_memory` throws.
+  // `visitor` is told of the average, if that becomes the rest shape.
+  // throws Input_error and Option_error, and what `choose_memory` throws; Numerical_error, Cancelled.
   Animation(const Reading_options& options, const CGAL::Animated_mesh_features::IO::Memory_chooser& choose_memory,
             CGAL::Animated_mesh_features::Any_visitor visitor = CGAL::Animated_mesh_features::Any_visitor());
+
+  // The same of an animation that was not read from files, but is checked, welded and repaired as if it were: `data` has
+  // the points of its first frame as those of its mesh, two names as its sources, those of the faces and of the frames in
+  // messages, and no clips. The rest shape is `rest`, a point for each vertex of the data, or, if that is empty, what the
+  // options tell.
+  // throws Input_error, Option_error, Numerical_error, Cancelled.
+  Animation(const Reading_options& options, CGAL::Animated_mesh_features::IO::Animation_file_data<FT> data,
+            const Rest_points& rest,
+            CGAL::Animated_mesh_features::Any_visitor visitor = CGAL::Animated_mesh_features::Any_visitor());
+
   Animation(const Animation&) = delete;
   Animation& operator=(const Animation&) = delete;
 
@@ -65,6 +76,10 @@ public:
   const Taken_rest& rest() const { return m_rest; }
 
 private:
+  typedef CGAL::Animated_mesh_features::IO::Animation_file_data<FT> File_data;
+
+  void take(const Reading_options& options, File_data& data);
+
   Mesh m_mesh;
   std::optional<Sequence> m_sequence; // refers to the mesh
   double m_frames_per_second = 0;

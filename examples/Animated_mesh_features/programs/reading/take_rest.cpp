@@ -54,16 +54,6 @@ Taken_rest take_average(Sequence& sequence, AMF::Any_visitor visitor)
   return {"average", "the average of all frames", "", false, 1};
 }
 
-Taken_rest take_points(const Rest_points& points, Taken_rest taken, Sequence& sequence)
-{
-  std::vector<Sequence::Point_3> converted;
-  converted.reserve(points.size());
-  for (const auto& p : points) converted.emplace_back(p[0], p[1], p[2]);
-  taken.factor =
-      sequence.set_rest_shape(converted, taken.is_scaled ? AMF::Rest_unit::RESCALE : AMF::Rest_unit::CHECK);
-  return taken;
-}
-
 // Another shape than the frames that comes with the input.
 struct Own_shape
 {
@@ -179,6 +169,16 @@ Taken_rest take_by_input(const File_data& data, bool is_model, Sequence& sequenc
 }
 
 } // namespace
+
+Taken_rest take_points(const Rest_points& points, Taken_rest taken, Sequence& sequence)
+{
+  std::vector<Sequence::Point_3> converted;
+  converted.reserve(points.size());
+  for (const auto& p : points) converted.emplace_back(p[0], p[1], p[2]);
+  taken.factor =
+      sequence.set_rest_shape(converted, taken.is_scaled ? AMF::Rest_unit::RESCALE : AMF::Rest_unit::CHECK);
+  return taken;
+}
 
 Taken_rest take_rest(const Reading_options& o, const File_data& data, bool is_model, Sequence& sequence,
                      std::vector<std::string>& notices, AMF::Any_visitor visitor)

@@ -8,6 +8,7 @@
 #define PROGRAMS_READING_TAKE_REST_H
 
 #include "reading/Reading_options.h"
+#include "reading/Rest_comparison.h"
 #include "reading/Sequence.h"
 #include "reading/Values.h"
 
@@ -33,11 +34,15 @@ struct Taken_rest
 // given with a point cache or the bind pose of a model, scaled if it is in another unit than the frames; the average of
 // all frames if there is none of these, or it is but one of the frames. `data`: what the sequence was made of, without its
 // coordinates. `is_model`: of which frames were made. Adds to `notices` what the user is to be told in any case.
-// throws Option_error if there is no such shape, Input_error if it does not fit the frames, Cancelled if the visitor asks
-// for it while an average is computed.
+// throws Option_error if there is no such shape, Input_error if it does not fit the frames, Cancelled if the visitor, which
+// is told of the average, asks for it.
 Taken_rest take_rest(const Reading_options& options, const CGAL::Animated_mesh_features::IO::Animation_file_data<FT>& data,
                      bool is_model, Sequence& sequence, std::vector<std::string>& notices,
-                     CGAL::Animated_mesh_features::Any_visitor visitor);
+                     CGAL::Animated_mesh_features::Any_visitor visitor = CGAL::Animated_mesh_features::Any_visitor());
+
+// Sets the rest shape to these points, a point for each vertex; returns `taken` with the factor by which they were scaled.
+// throws Input_error if they do not fit the frames.
+Taken_rest take_points(const Rest_points& points, Taken_rest taken, Sequence& sequence);
 
 } // namespace Programs
 

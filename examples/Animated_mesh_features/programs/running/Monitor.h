@@ -15,15 +15,18 @@
 namespace Programs {
 
 // Watches a detection: a model of DetectionVisitor, which keeps the log, shows the progress and ends the detection when
-// the program is interrupted.
+// the program is interrupted. Who runs a detection from elsewhere than a terminal derives from it.
 class Monitor
 {
 public:
   Monitor(Stage_log& log, bool show_progress);
+  virtual ~Monitor() = default;
+  Monitor(const Monitor&) = delete;
+  Monitor& operator=(const Monitor&) = delete;
 
-  void begin(CGAL::Animated_mesh_features::Stage stage);
-  bool progress(CGAL::Animated_mesh_features::Stage stage, double fraction);
-  void end(CGAL::Animated_mesh_features::Stage stage);
+  virtual void begin(CGAL::Animated_mesh_features::Stage stage);
+  virtual bool progress(CGAL::Animated_mesh_features::Stage stage, double fraction);
+  virtual void end(CGAL::Animated_mesh_features::Stage stage);
 
   Stage_log& log() { return m_log; }
 

@@ -1,0 +1,188 @@
+# Copyright (c) 2026 The Animated_mesh_features authors.
+#
+# This file is part of the package Animated_mesh_features for CGAL.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""From keywords to the options of the command line, which are understood and checked in one place for both."""
+
+import os
+import re
+
+import numpy as np
+
+from . import _core
+
+# What is given without a value.
+_SWITCHES = frozenset(["no_suppression", "there_and_back", "allow_outside", "rescale_rest", "as_given", "triangulate",
+                       "repair", "skip_bad_frames", "no_sync"])
+# MIN:MAX
+_RANGES = frozenset(["sigma_range", "tau_range"])
+_REPEATABLE = frozenset(["output", "write_field", "frame"])
+
+METHOD = """
+    preset : {"calibrated", "published"}
+        the paper's own choices, marked (p) below, or those that repair what breaks in them. What the other options
+        choose replaces a single choice of the preset.
+    strain : {"hencky", "green-lagrange", "stretch", "largest-eigenvalue"}, optional
+        by default "hencky", "largest-eigenvalue" (p).
+    curvature : {"density", "dihedral"}, optional
+        density of mean curvature, or the mean of dihedral angles (p).
+    balls : {"heat", "heat-patches", "heat-global", "dijkstra"}, optional
+        geodesic balls for the curvature: by the heat method (default), the same by CGAL's class on local patches (slow)
+        or on the whole mesh (very slow), or by paths along edges.
+    ball_radius : float or str, optional
+        a length, or a percentage of the diameter of the rest shape, "4.5%". By default 4.5 % of it, between 3 and 8
+        mean edge lengths, but less where balls would have more than 1,500 vertices in the mean.
+    alpha : float, optional
+        weight of the change of curvature against strain, by default 7; 0 leaves curvature out.
+    baseline : {"least", "none"}, optional
+        what is subtracted from the deformation of each vertex: its least value over the clip, or nothing (p).
+    spatial_filter : {"heat", "one-ring"}, optional
+        diffusion, or averages over neighbours (p).
+    dimension : {"surface", "plane"}, optional
+        responses are normalised to the surface's own dimension, or to that of a plane (p).
+    temporal_filter : {"gaussian", "box"}, optional
+        "box": (p).
+    box_width : int, optional
+        of the temporal box, in frames; preset "published" only. By default a sixth of the frames.
+    space_counts, time_counts : int, optional
+        search up to so many passes of the filter in space, in time; preset "published" only. By default by the paper's
+        formulas.
+    sigma_range : (float or str, float or str) or str, optional
+        the smallest and the largest spatial scale, as lengths or as percentages of the diameter of the rest shape,
+        ``("1%", "17.5%")``; None for one of them leaves it at its default. Preset "calibrated" only.
+    tau_range : (float, float) or str, optional
+        the temporal scales in seconds, by default from one frame to a third of the duration. Preset "calibrated"
+        only."""
+
+SELECTION = """
+    threshold : float, optional
+        least strength, in the unit of the deformation: amplitude times fit. By default 0.125; (p) none.
+    relative_threshold : float, optional
+        least strength as a fraction of the strongest one, 0 to 1. By default none; (p) 0.2. If only one of the two
+        thresholds is given, the other is none; the stricter one decides.
+    min_fit : float, optional
+        least correlation of the deformation around a feature with the feature's Gaussian, 0 to 1. By default 0.5; (p)
+        any.
+    top : int, optional
+        so many features at most, the strongest ones.
+    no_suppression : bool
+        keep features close to stronger ones (p)."""
+
+ARRAYS = """
+    frames : array_like, F x N x 3, or Animation
+        positions of N vertices in F frames, at least 3: float32 or float64 of any strides and memory maps are read
+        where they are, other numbers are converted first. Also a sequence of F arrays N x 3. Or an animation that was
+        made before, with which none of the next seven arguments goes.
+    faces : array_like of int, T x 3
+        the vertices of each triangle, counted from 0, of any type of integers. An oriented manifold, possibly with
+        border.
+    frame_duration : float, optional
+        seconds from one frame to the next; or
+    fps : float, optional
+        frames in a second, by default 30.
+    rest : optional
+        the undeformed shape, against which deformation is measured: an array N x 3; "average", the canonical shape of
+        all frames; "first", the first frame; "frame:12" or the integer 12, another one; the name of a mesh file of the
+        same connectivity. By default the average.
+    rescale_rest : bool
+        scale the array or the file so that its median edge is as long as that of the frames.
+    triangulate : bool
+        cut faces with more than three corners (T x 4 and more) into triangles, as a fan around the first corner.
+    weld : {"auto", "always", "never"}
+        what becomes of vertices that lie at the same place in all frames: they are welded where that closes a seam and
+        makes a manifold; always, which is an error where it does not; never. After welding vertices have other numbers,
+        see `Animation.vertex_of_input`.
+    repair : bool
+        mend a mesh that is no oriented manifold: leave out collapsed and repeated faces, turn round what is oriented
+        unlike its neighbours, take apart what meets in a vertex only.
+    skip_bad_frames : bool
+        leave out frames that are broken, without extent or with a vertex that is exploded, and bridge them in time. By
+        default they are an error, but for a single frame without extent."""
+
+RESOURCES = """
+    memory : int or str, optional
+        how many bytes to use at most, or "4G", "800M"; what does not fit goes to files on the scratch directory, with
+        the same result. By default what is available, and nothing on a disk.
+    scratch : path, optional
+        the scratch directory, by default that of TMPDIR, or /var/tmp."""
+
+RUNNING = """
+    threads : int, optional
+        so many at most, by default all; the result is the same, bit for bit.
+    visitor : callable, optional
+        ``visitor(stage, fraction)``, called from this thread some 30 times a stage with the stage's name ("geodesic
+        balls", "strain", "curvature", "scale space", "extrema", "rest shape") and how far it is, from 0 to 1. If it
+        returns False, `Cancelled` is raised; an exception of its own goes through. Ctrl-C works without one, too."""
+
+ERRORS = """
+    InputError
+        if the arrays make no animation: the message names the frame, the vertex or the face.
+    OptionError
+        if an option makes no sense, or none for this animation.
+    NumericalError
+        if a factorisation fails.
+    Cancelled
+        if the visitor asked for it."""
+
+_TEXTS = {"{method}": METHOD, "{selection}": SELECTION, "{arrays}": ARRAYS, "{resources}": RESOURCES,
+          "{running}": RUNNING, "{errors}": ERRORS}
+
+
+def documented(function):
+    """Fills in the parts that docstrings have in common."""
+    if function.__doc__:  # not with python -OO
+        function.__doc__ = re.sub(r"\n *(\{\w+\})", lambda m: _TEXTS[m[1]], function.__doc__)
+    return function
+
+
+def _text(name, value):
+    if isinstance(value, np.generic) or (isinstance(value, np.ndarray) and value.ndim == 0):
+        value = value.item()
+    if isinstance(value, bool):
+        raise TypeError(f"{name}: a number or a text is expected, not {value}")
+    if isinstance(value, (int, str)):
+        return str(value)
+    if isinstance(value, float):
+        return repr(value)
+    if isinstance(value, os.PathLike):
+        return os.fsdecode(value)
+    raise TypeError(f"{name}: a number or a text is expected, not {type(value).__name__}")
+
+
+def _range_text(name, value):
+    if isinstance(value, str):
+        return value
+    try:
+        low, high = value
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: a pair is expected: (smallest, largest)") from None
+    return ":".join("" if x is None else _text(name, x) for x in (low, high))
+
+
+def arguments(**keywords):
+    """The options as the command line has them; those that are None or, of switches, false are left out."""
+    result = []
+    for name, value in keywords.items():
+        option = "--" + name.replace("_", "-")
+        if name in _SWITCHES:
+            if not isinstance(value, (bool, np.bool_)) and value is not None:
+                raise TypeError(f"{name}: True or False is expected, not {type(value).__name__}")
+            if value:
+                result.append(option)
+        elif value is None:
+            continue
+        elif name in _RANGES:
+            result.append(f"{option}={_range_text(name, value)}")
+        elif name in _REPEATABLE and not isinstance(value, (str, os.PathLike, int, np.integer)):
+            result.extend(f"{option}={_text(name, x)}" for x in value)
+        else:
+            result.append(f"{option}={_text(name, value)}")
+    return result
+
+
+def options(what=("input", "method", "output")):
+    """The options of the command line, with their defaults, as ``detect_features --help`` lists them."""
+    kinds = {"input": _core.READING, "method": _core.METHOD, "output": _core.OUTPUT}
+    return _core.help_of(sum(kinds[kind] for kind in what))
