@@ -42,11 +42,13 @@ int main()
   const Amf::View_selection selection = Amf::select_views(animation, features, options);
   for (const Amf::Selected_view& view : selection.views)
     std::cout << "azimuth " << view.angles.azimuth << ", elevation " << view.angles.elevation << ": shows "
-              << 100 * view.score << " % of the features, with those before " << 100 * view.covered << " %" << std::endl;
+              << 100 * view.score << " % of the features, with those before " << 100 * view.covered << " %"
+              << std::endl;
   //! [views]
 
   //! [path]
-  // What each direction shows in the course of the clip, and the path of a camera that turns by at most 60 degrees a second
+  // What each direction shows in the course of the clip, and the path of a camera that turns by at most 60 degrees a
+  // second
   const std::size_t frames = animation.number_of_frames();
   const Amf::View_sphere sphere(2);
   const std::vector<std::size_t> looked_at = Amf::even_frames(frames, 24);

@@ -293,8 +293,9 @@ void test_features()
   const Shape shape = sphere_shape(3);
   const Animated a(shape, 5);
   const Rest_shape& rest = a.sequence->rest_shape();
-  const Vec place = Vec(1, 2, -1).normalized(), other = Vec(-2, 0.5, 1).normalized();
-  const std::vector<Feature_point> one = {feature(nearest_vertex(shape, place), 0.2)};
+  const std::size_t vertex = nearest_vertex(shape, Vec(1, 2, -1).normalized());
+  const Vec place = shape.points[vertex], other = Vec(-2, 0.5, 1).normalized();
+  const std::vector<Feature_point> one = {feature(vertex, 0.2)};
   const std::vector<Feature_point> both = {one[0], feature(nearest_vertex(shape, other), 0.2, 0.5, 3)};
 
   // projected size: straight above is best, and by the cosine less beside it
@@ -319,8 +320,7 @@ void test_features()
   CHECK_NEAR(s.weight(2), in_third / in_time, 1e-9);
 
   // as a whole up to 60 degrees; all that is not hidden
-  const View_scores whole =
-      score_views(*a.sequence, {1}, directions, Feature_view_score(rest, {1}, 5, 0.1, one));
+  const View_scores whole = score_views(*a.sequence, {1}, directions, Feature_view_score(rest, {1}, 5, 0.1, one));
   CHECK_NEAR(whole.score(2), 1, 1e-3);
   CHECK_NEAR(whole.score(4), 2 * std::cos(70 * pi / 180), 0.04);
   const View_scores plain = score_views(*a.sequence, {1}, directions, Feature_view_score(rest, {1}, 5, 0.1, one, 0));
@@ -355,7 +355,8 @@ void test_features()
   options.up = Vec(0, 0, 3);
   const View_selection band = select_views(*a.sequence, both, options);
   CHECK_NEAR((band.up - Vec(0, 0, 1)).norm(), 0, 1e-12);
-  for (const Vec& d : band.scores.directions()) CHECK(d[2] > std::sin(4.9 * pi / 180) && d[2] < std::sin(30.1 * pi / 180));
+  for (const Vec& d : band.scores.directions())
+    CHECK(d[2] > std::sin(4.9 * pi / 180) && d[2] < std::sin(30.1 * pi / 180));
   // Without features there is a view as well.
   CHECK(select_views(*a.sequence, std::vector<Feature_point>(), options).views.size() >= 1);
 }
@@ -485,7 +486,9 @@ double best_of_all_paths(const View_scores& s, const std::vector<std::vector<std
     return View_sphere::angle(s.directions()[a], s.directions()[b]);
   };
   if (j == layers.size())
-    return !is_cyclic ? 0 : step(path.back(), path.front()) <= angle + 1e-9 ? -cost * step(path.back(), path.front()) : -1e9;
+    return !is_cyclic                                        ? 0
+           : step(path.back(), path.front()) <= angle + 1e-9 ? -cost * step(path.back(), path.front())
+                                                             : -1e9;
   double best = -1e9;
   for (std::size_t d = 0; d < n; ++d) {
     if (j > 0 && step(path.back(), d) > angle + 1e-9) continue;
@@ -524,10 +527,10 @@ void test_camera_path()
       CHECK_NEAR(path.interval(), duration / 4, 1e-12);
       std::vector<std::vector<std::size_t>> layers(keys);
       for (std::size_t f = 0; f < frames; ++f)
-        layers[std::size_t(std::floor(double(f) * 0.1 / path.interval() + 0.5)) % (is_cyclic ? keys : 100)].push_back(f);
+        layers[std::size_t(std::floor(double(f) * 0.1 / path.interval() + 0.5)) % (is_cyclic ? keys : 100)].push_back(
+            f);
       std::vector<std::size_t> trial;
-      const double best =
-          best_of_all_paths(s, layers, 64 * pi / 180 * path.interval(), cost, is_cyclic, trial);
+      const double best = best_of_all_paths(s, layers, 64 * pi / 180 * path.interval(), cost, is_cyclic, trial);
       double turned = 0;
       for (std::size_t i = 1; i < 5; ++i) turned += View_sphere::angle(path.directions()[i - 1], path.directions()[i]);
       CHECK_NEAR(path.score() - cost * turned, best, 1e-9);

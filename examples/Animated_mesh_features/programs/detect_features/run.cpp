@@ -22,9 +22,11 @@
 #include "running/Stage_log.h"
 #include "running/Thread_limit.h"
 #include "running/tell.h"
+#include "views/Scene_views.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 using namespace Programs;
@@ -82,11 +84,18 @@ void run(const Command_line& c)
     detection = detect(sequence, c.method, plan.level_memory(), fields, monitor);
   }
   Interruption::check();
+  Shown_scene shown = scene(c.reading, animation, detection, fields);
+  std::optional<Scene_views> views;
+  if (c.output.has_chosen_views()) {
+    Monitor monitor(log, !c.run.quiet);
+    views = scene_views(shown, c.output.picture.up_axis, monitor);
+    shown.views = &*views;
+  }
   {
     const Stage_log::Scope stage(log, "writing");
     files.write_features(detection.features, result_description(c.reading, c.method, animation, detection));
     Interruption::check();
-    files.write_scenes(scene(c.reading, animation, detection, fields));
+    files.write_scenes(shown);
     Interruption::check();
     files.commit();
   }

@@ -71,7 +71,8 @@ public:
     if (frames.empty()) throw Option_error("at least one frame has to be looked at");
     for (std::size_t k = 0; k < frames.size(); ++k)
       if (frames[k] >= number_of_frames || (k > 0 && frames[k] <= frames[k - 1]))
-        throw Option_error("the frames that are looked at must ascend, and be below " + std::to_string(number_of_frames));
+        throw Option_error("the frames that are looked at must ascend, and be below " +
+                           std::to_string(number_of_frames));
     typedef std::pair<Rest_shape::Index, double> Weight;
     std::vector<std::vector<Weight>> weights(frames.size());
     const std::vector<double> areas = vertex_areas(shape);
@@ -144,7 +145,8 @@ private:
     const std::size_t step = (disc.size() + most - 1) / most;
     std::vector<std::pair<Rest_shape::Index, double>> result;
     double sum = 0;
-    for (std::size_t i = 0; i < disc.size(); i += step) result.emplace_back(disc[i], areas[disc[i]]), sum += areas[disc[i]];
+    for (std::size_t i = 0; i < disc.size(); i += step)
+      result.emplace_back(disc[i], areas[disc[i]]), sum += areas[disc[i]];
     for (auto& w : result) w.second = sum > 0 ? w.second / sum : 1 / double(result.size());
     return result;
   }

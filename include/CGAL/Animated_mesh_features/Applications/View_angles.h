@@ -52,7 +52,8 @@ the angles of a direction.
 inline View_angles view_angles(const Eigen::Vector3d& direction, const Eigen::Vector3d& up)
 {
   const Eigen::Vector3d front = internal::azimuth_origin(up), side = up.cross(front);
-  const double degree = double(EIGEN_PI) / 180, x = direction.dot(front), y = direction.dot(side), z = direction.dot(up);
+  const double degree = double(EIGEN_PI) / 180, x = direction.dot(front), y = direction.dot(side),
+               z = direction.dot(up);
   View_angles result;
   result.elevation = std::atan2(z, std::hypot(x, y)) / degree;
   if (std::hypot(x, y) > 1e-12) result.azimuth = std::atan2(y, x) / degree;

@@ -104,7 +104,8 @@ private:
     std::vector<Triangle> finer;
     for (const Triangle& t : m_triangles) {
       const std::uint32_t a = middle(t[0], t[1]), b = middle(t[1], t[2]), c = middle(t[2], t[0]);
-      for (const Triangle& part : {Triangle{{t[0], a, c}}, Triangle{{a, t[1], b}}, Triangle{{c, b, t[2]}}, Triangle{{a, b, c}}})
+      for (const Triangle& part :
+           {Triangle{{t[0], a, c}}, Triangle{{a, t[1], b}}, Triangle{{c, b, t[2]}}, Triangle{{a, b, c}}})
         finer.push_back(part);
     }
     m_triangles.swap(finer);

@@ -74,7 +74,8 @@ public:
   Eigen::Vector3d direction(double time) const
   {
     const double at = (std::min)((std::max)(0., time / m_interval), double(m_directions.size() - 1));
-    const std::size_t i = (std::min)(std::size_t(at), m_directions.size() - 1), j = (std::min)(i + 1, m_directions.size() - 1);
+    const std::size_t i = (std::min)(std::size_t(at), m_directions.size() - 1),
+                      j = (std::min)(i + 1, m_directions.size() - 1);
     const Eigen::Vector3d &a = m_directions[i], &b = m_directions[j];
     const double angle = View_sphere::angle(a, b), s = at - double(i);
     if (!(angle > 1e-9)) return a;
@@ -194,7 +195,9 @@ inline Camera_path camera_path(const View_scores& scores, double spacing, std::s
   std::vector<std::vector<double>> layers(keys, std::vector<double>(n, 0));
   for (std::size_t k = 0; k < scores.frames().size(); ++k) {
     const double at = std::floor(double(scores.frames()[k]) * frame_duration / interval + 0.5);
-    const std::size_t j = is_still ? 0 : options.is_cyclic ? std::size_t(at) % keys : (std::min)(std::size_t(at), keys - 1);
+    const std::size_t j = is_still            ? 0
+                          : options.is_cyclic ? std::size_t(at) % keys
+                                              : (std::min)(std::size_t(at), keys - 1);
     for (std::size_t d = 0; d < n; ++d) layers[j][d] += scores.score(d, k);
   }
   const internal::Path_search search(scores.directions(), speed * interval * (1 + 1e-9), options.cost_of_turning);

@@ -103,7 +103,8 @@ inline std::vector<Eigen::Vector3d> directions_around(const Eigen::Vector3d& d, 
 
 inline void check_view_options(const View_options& o)
 {
-  if (o.up && !(o.up->allFinite() && o.up->norm() > 0)) throw Option_error("the direction that points up has no length");
+  if (o.up && !(o.up->allFinite() && o.up->norm() > 0))
+    throw Option_error("the direction that points up has no length");
   if (!(o.lowest_elevation <= o.highest_elevation))
     throw Option_error("there is no elevation from " + std::to_string(o.lowest_elevation) + " to " +
                        std::to_string(o.highest_elevation) + " degrees");
@@ -150,7 +151,8 @@ View_selection select_views(const Frame_sequence<TriangleMesh, FT>& animation, c
     if (is_allowed(d)) directions.push_back(d);
   if (directions.empty()) // a band between the directions
     for (int azimuth = -180; azimuth < 180; azimuth += 10)
-      directions.push_back(view_direction({double(azimuth), (options.lowest_elevation + options.highest_elevation) / 2}, up));
+      directions.push_back(
+          view_direction({double(azimuth), (options.lowest_elevation + options.highest_elevation) / 2}, up));
   View_selection result{up, {}, score_views(animation, frames, directions, score, visitor)};
   View_scores& scores = result.scores;
   const auto is_any = [](const Eigen::Vector3d&) { return true; };

@@ -27,7 +27,8 @@ struct Posed_surface
   Eigen::Vector3d centre = Eigen::Vector3d::Zero(); // of its bounding box
   double radius = 1;                                // of the sphere around the centre
   std::vector<Eigen::Vector3f> points;
-  std::vector<Eigen::Vector3f> normals; // of vertices: means of those of the triangles, weighted by area; 0 if there is none
+  std::vector<Eigen::Vector3f>
+      normals; // of vertices: means of those of the triangles, weighted by area; 0 if there is none
 };
 
 inline void set_points(Posed_surface& s, const Rest_shape& shape, const std::vector<Eigen::Vector3d>& points)
@@ -54,7 +55,8 @@ inline void set_points(Posed_surface& s, const Rest_shape& shape, const std::vec
   s.normals.resize(points.size());
   for (std::size_t v = 0; v < points.size(); ++v) {
     const double length = sums[v].norm();
-    s.normals[v] = length > 0 ? Eigen::Vector3f((sums[v] / length).cast<float>()) : Eigen::Vector3f(Eigen::Vector3f::Zero());
+    s.normals[v] =
+        length > 0 ? Eigen::Vector3f((sums[v] / length).cast<float>()) : Eigen::Vector3f(Eigen::Vector3f::Zero());
   }
 }
 

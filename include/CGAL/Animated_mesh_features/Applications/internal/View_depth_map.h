@@ -84,9 +84,11 @@ private:
   // Most triangles are smaller than a texel and cover no centre of one: they are done with first.
   void draw(const Vector& a, const Vector& b, const Vector& c)
   {
-    const auto first = [](float x) { return long(x + 0.5f); }; // the texel whose centre comes next; x is not negative
-    const long left = first((std::min)({a[0], b[0], c[0]})), right = first((std::max)({a[0], b[0], c[0]}));
-    const long top = first((std::min)({a[1], b[1], c[1]})), bottom = first((std::max)({a[1], b[1], c[1]}));
+    const auto least = [](float x, float y, float z) { return (std::min)((std::min)(x, y), z); };
+    const auto most = [](float x, float y, float z) { return (std::max)((std::max)(x, y), z); };
+    const auto first = [](float x) { return int(x + 0.5f); }; // the texel whose centre comes next; x is not negative
+    const int left = first(least(a[0], b[0], c[0])), right = first(most(a[0], b[0], c[0]));
+    const int top = first(least(a[1], b[1], c[1])), bottom = first(most(a[1], b[1], c[1]));
     if (left >= right || top >= bottom) return;
     const float bx = b[0] - a[0], by = b[1] - a[1], cx = c[0] - a[0], cy = c[1] - a[1];
     const float area = bx * cy - by * cx;
@@ -94,14 +96,14 @@ private:
     const float inverse = 1 / area, slack = -1e-4f; // no gaps between neighbours, whose edges round differently
     const float s_x = cy * inverse, s_y = -cx * inverse, t_x = -by * inverse, t_y = bx * inverse;
     const float bz = b[2] - a[2], cz = c[2] - a[2];
-    for (long y = top; y < bottom; ++y) {
+    for (int y = top; y < bottom; ++y) {
       const float dy = float(y) + 0.5f - a[1];
-      for (long x = left; x < right; ++x) {
+      for (int x = left; x < right; ++x) {
         const float dx = float(x) + 0.5f - a[0];
         const float s = s_x * dx + s_y * dy, t = t_x * dx + t_y * dy;
         if (!(s >= slack && t >= slack && s + t <= 1 - slack)) continue;
         const float height = a[2] + s * bz + t * cz;
-        const std::size_t i = std::size_t(y * m_size + x);
+        const std::size_t i = std::size_t(y) * std::size_t(m_size) + std::size_t(x);
         m_high[i] = (std::max)(m_high[i], height);
         m_low[i] = (std::min)(m_low[i], height);
       }
