@@ -344,7 +344,7 @@ void test_features()
 
   // A plate before the feature: looked at from beside it.
   Shape hidden = shape;
-  hidden.add(plate(1.5 * place, place, 0.8, 8));
+  hidden.add(plate(1.5 * place, place, 0.5, 8));
   const Animated behind(hidden, 5);
   const View_selection around = select_views(*behind.sequence, one, options);
   CHECK(View_sphere::angle(around.views[0].direction, place) > 35 * pi / 180);
