@@ -95,7 +95,7 @@ void add_shown(const Workload& w, Table& shown, Table& plain_table, Table& paths
     seconds = i == 0 ? s : (std::min)(s, seconds);
   }
   const Amf::View_options options;
-  const std::vector<std::size_t> frames = Amf::view_frames(features, n, step, 8); // so many directions take long
+  const std::vector<std::size_t> frames = chosen.scores.frames();
   const auto by_entropy = Amf::select_views(*sequence, frames, Amf::Entropy_view_score(frames.size()), options);
   const auto by_area = Amf::select_views(*sequence, frames, Amf::Area_view_score(frames.size()), options);
   const double front = chosen.up[2] > 0.5 ? -90 : 0;
@@ -259,8 +259,7 @@ int main(int argc, char* argv[])
     Table shown(
         "What views show of the features",
         "Per cent of the amplitude, of regions turned away by up to 60 degrees as a whole. Chosen: by "
-        "select_views(), of 162 directions and refinement in 16 frames, in so many seconds on all threads. Then, in 8 "
-        "frames, what it shows; best, median and "
+        "select_views(), of 162 directions and refinement, in so many seconds on all threads; best, median and "
         "worst of 2,562 directions; three views: chosen ones together; and what the best view by entropy, by "
         "area and that from the front show.",
         columns);
