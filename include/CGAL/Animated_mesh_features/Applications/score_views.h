@@ -107,7 +107,8 @@ void add_scored_views(View_scores& result, const Rest_shape& shape, const Vertex
 scores directions to look at an animation from.
 
 Hidden parts are found by a depth map for each frame and pair of opposite directions, of `resolution` times `resolution`
-texels on a sphere around the body. With rays through \cgal's AABB tree it takes about ten times as long.
+texels on a sphere around the body. With rays through \cgal's AABB tree it takes ten to twenty times as long; 256 texels
+differ from them for some 6 % of the vertices, 512 for 2 to 4 % and take about one and a half times as long.
 
 \tparam TriangleMesh, FT of the animation.
 \tparam ViewScore a model of `ViewScore`.
