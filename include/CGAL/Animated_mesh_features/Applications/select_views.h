@@ -7,6 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_SELECT_VIEWS_H
 #define CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_SELECT_VIEWS_H
 
+#include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
 #include <CGAL/Animated_mesh_features/Applications/Entropy_view_score.h>
 #include <CGAL/Animated_mesh_features/Applications/Feature_view_score.h>
 #include <CGAL/Animated_mesh_features/Applications/View_angles.h>
@@ -16,6 +17,8 @@
 #include <CGAL/Animated_mesh_features/Applications/probable_up_axis.h>
 #include <CGAL/Animated_mesh_features/Applications/score_views.h>
 #include <CGAL/Animated_mesh_features/Applications/view_frames.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -23,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace CGAL {
