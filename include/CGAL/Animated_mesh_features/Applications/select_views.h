@@ -50,7 +50,8 @@ struct View_options
   /// about 2 degrees.
   std::size_t refinements = 3;
 
-  /// how many frames are looked at. Default: 16; more change the score of a view of the test animations by less than 1 %.
+  /// how many frames are looked at. Default: 16; all 48 to 96 of a gallop or a walk change the score of the chosen view by
+  /// some 1 % of the amplitude.
   std::size_t most_frames = 16;
 
   /// how many views are chosen. Default: 3.
