@@ -58,7 +58,7 @@ benchmark()
 
 programs="$folder/examples/Animated_mesh_features/programs"
 started=$SECONDS
-for name in engine balls measures cholesky growth roofline; do
+for name in engine balls measures cholesky growth roofline viewpoints; do
   program="$folder/benchmark/Animated_mesh_features/benchmark_$name"
   if [ $name = cholesky ] && [ ! -x "$program" ]; then continue; fi # where there is no CHOLMOD
   benchmark $name "$program"

@@ -18,7 +18,7 @@ import re
 import subprocess
 import sys
 
-ORDER = ["engine", "program", "balls", "measures", "cholesky", "growth", "roofline"]
+ORDER = ["engine", "program", "balls", "measures", "cholesky", "growth", "roofline", "viewpoints"]
 
 INTRODUCTION = """\
 What the package takes in time and memory, each figure beside that of what it competes with, from the same run of the

@@ -29,6 +29,7 @@ detect "${figure[@]}" -o "$data/figure.json"
 detect "${figure[@]}" --threshold 1e9 --png "$figures/deformation.png" \
   --frame 6 --frame 9 --frame 12 --frame 15 --frame 18 --png-size 1280x380 --view 60,10
 detect "${figure[@]}" --plot "$figures/plot.svg"
+detect "${figure[@]}" --view-map "$figures/view_map.png"
 
 say "the running figure with other parameters"
 picture=(--frame 12 --png-size 300x350 --view 60,10)

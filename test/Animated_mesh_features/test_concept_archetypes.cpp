@@ -12,6 +12,7 @@
 #include "test_support.h"
 #include "test_two_stages.h"
 
+#include <CGAL/Animated_mesh_features/Applications/select_views.h>
 #include <CGAL/Animated_mesh_features/Descriptors/describe_features.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/detect_spatio_temporal_features.h>
@@ -344,6 +345,28 @@ struct Temporal_filter_with_unit_variance : Archetype_temporal_filter
   double unit_variance(std::size_t, double frame_duration) const { return frame_duration * frame_duration / 2; }
 };
 
+// What of the surface is turned to the camera, in two frames.
+struct Archetype_view_score : Copy_only
+{
+  using Copy_only::Copy_only;
+  std::size_t number_of_frames() const { return 2; }
+  std::size_t first_item(std::size_t k) const { return 3 * k; }
+  double weight(std::size_t item) const { return double(item % 3); }
+  void operator()(const AMF::Surface_view& view, float* seen) const
+  {
+    for (std::size_t i = 0; i < 3; ++i) seen[i] = view.cosine(10 * i + view.frame_rank()) > 0 ? 1.f : 0.f;
+  }
+};
+
+void test_views(const Bumpy_sphere& sphere, const Mesh& mesh)
+{
+  const AMF::Frame_sequence<Mesh> sequence(mesh, sphere.frames, sphere.frame_duration);
+  AMF::View_options options;
+  options.subdivisions = 1;
+  const AMF::View_selection selection = AMF::select_views(sequence, {3, 9}, Archetype_view_score(0), options);
+  CHECK(!selection.views.empty() && selection.views.front().score > 0.5);
+}
+
 template <class Strain>
 using Archetype_options =
     AMF::Detection_options<Strain, Archetype_curvature, Archetype_balls, Archetype_spatial_filter,
@@ -404,6 +427,8 @@ int main()
   const AMF::Feature_descriptors described =
       AMF::describe_features(sequence.rest_shape(), field, 0.1, {feature}, Archetype_descriptor(0));
   CHECK(described.length() == 2 && described[0][0] == 0 && described[0][1] > 1);
+
+  test_views(sphere, mesh);
 
   // each policy on its own among those of the library
   const AMF::Calibrated_options calibrated;

@@ -13,7 +13,6 @@
 #include "pictures/picture_of_scene.h"
 #include "pictures/strongest_frames.h"
 #include "pictures/write_png.h"
-#include "rendering/Body_view.h"
 #include "rendering/Contact_sheet.h"
 #include "rendering/Depth_map.h"
 #include "rendering/Ground.h"
@@ -22,6 +21,8 @@
 #include "rendering/Panel_cameras.h"
 #include "rendering/Rasteriser.h"
 #include "scenes/Shown_scene.h"
+#include "views/Scene_views.h"
+#include "views/View_choice.h"
 
 #include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
@@ -467,43 +468,12 @@ void test_layout()
   CHECK(strongest_frames(std::vector<Feature>{feature(1, 0, 1)}, 3) == (std::vector<std::size_t>{1}));
 }
 
-// A plate on four legs, with a neck: it stands on its feet, whichever axis is up.
-std::vector<Vector3d> table(int up)
+void test_panel_cameras()
 {
-  std::vector<Vector3d> points;
-  for (int i = 0; i <= 10; ++i)
-    for (int j = 0; j <= 10; ++j) {
-      const auto add = [&](double x, double y, double height) {
-        Vector3d p;
-        p[(up + 1) % 3] = x, p[(up + 2) % 3] = y, p[up] = height;
-        points.push_back(p);
-      };
-      add(0.3 * i, 0.1 * j, 1);
-      add(j % 2 ? 0.1 : 2.9, j % 4 < 2 ? 0.1 : 0.9, 0.1 * i);
-      if (j < 5) add(3 + 0.02 * j, 0.5, 1 + 0.06 * i);
-    }
-  return points;
-}
-
-void test_automatic_view()
-{
-  CHECK(probable_up_axis(table(1)) == 1);
-  CHECK(probable_up_axis(table(2)) == 2);
-  CHECK(probable_up_axis(sphere_surface(Vector3d(5, 6, 7), 1, 20).points) == 1);
-
-  // A long box along x, with features on its side towards -z: seen from there, obliquely.
   Surface body = sphere_surface(Vector3d(0, 0, 0), 1, 24);
   for (Vector3d& p : body.points) p[0] *= 3;
   View_direction view;
-  const Sphere on_side{Vector3d(-0.3, 0.1, -1), 0.2, Colour(0, 0, 1), 1, 1};
-  view.azimuth = good_azimuth({body}, {{on_side}}, view);
-  const double away = std::remainder(view.azimuth - 180, 360);
-  CHECK_NEAR(std::abs(away), 30, 1);
-  Sphere other = on_side;
-  other.centre[2] = 1;
-  view.azimuth = good_azimuth({body}, {{other}}, view);
-  CHECK_NEAR(std::abs(std::remainder(view.azimuth, 360)), 30, 1);
-
+  view.azimuth = 30;
   // Cameras of panels follow the body over the ground, and not its jumps.
   Surface moved = body;
   for (Vector3d& p : moved.points) p += Vector3d(100, 0.5, 7);
@@ -511,6 +481,24 @@ void test_automatic_view()
   const Vector3d difference = cameras.camera(1, 90, 60, 80, 50).eye - cameras.camera(0, 90, 60, 80, 50).eye;
   CHECK_NEAR((difference - Vector3d(100, 0, 7)).norm(), 0, 1e-9);
   CHECK(cameras.aspect() > 1.5 && cameras.aspect() < 3.5);
+
+  // From two sides: at the same distance, so far that both fit, the long side as well.
+  View_direction end = view;
+  view.azimuth = 0;
+  end.azimuth = 90;
+  const Panel_cameras sides({body, body}, {{}, {}}, {view, end});
+  const Camera from_side = sides.camera(0, 90, 60, 80, 50), from_end = sides.camera(1, 90, 60, 80, 50);
+  CHECK_NEAR(from_side.eye.norm(), from_end.eye.norm(), 1e-6);
+  CHECK(from_end.eye[0] > 3 && from_side.eye[2] > 3);
+  double widest = 0;
+  for (const Vector3d& p : body.points)
+    for (const Camera& c : {from_side, from_end}) {
+      const Vector3d q = c.project(p);
+      CHECK(std::abs(q[0] - 45) <= 40 + 1e-9 && std::abs(q[1] - 30) <= 25 + 1e-9);
+      widest = (std::max)(widest, std::abs(q[0] - 45));
+    }
+  CHECK_NEAR(widest, 40, 1e-6);
+  CHECK(sides.aspect() > 2.5 && sides.aspect() < 3.5);
 }
 
 // A sphere that is stretched, four frames, with a feature on each side.
@@ -554,6 +542,48 @@ struct Test_scene
   Shown_scene scene() const { return Shown_scene{*sequence, features, {{"deformation", &field}}, "test"}; }
 };
 
+void test_views()
+{
+  const auto direction = [](View_kind kind, int up) {
+    View_choice choice;
+    choice.kind = kind;
+    return view_direction(told_angles(choice, up), Vector3d(Vector3d::Unit(up)));
+  };
+  CHECK_NEAR((direction(View_kind::FRONT, 1) - Vector3d(0, 0, 1)).norm(), 0, 1e-12);
+  CHECK_NEAR((direction(View_kind::FRONT, 2) - Vector3d(0, -1, 0)).norm(), 0, 1e-12);
+  CHECK_NEAR((direction(View_kind::BACK, 2) - Vector3d(0, 1, 0)).norm(), 0, 1e-12);
+  for (int up : {1, 2}) { // the left of who looks at you is at your right
+    CHECK_NEAR((direction(View_kind::LEFT, up) - Vector3d(1, 0, 0)).norm(), 0, 1e-12);
+    CHECK_NEAR((direction(View_kind::RIGHT, up) - Vector3d(-1, 0, 0)).norm(), 0, 1e-12);
+    CHECK(direction(View_kind::TOP, up)[up] > 0.99 && direction(View_kind::BOTTOM, up)[up] < -0.99);
+  }
+  CHECK(names(View_kind()).size() == 7);
+
+  // A feature at a time, on opposite sides: seen from where the stronger one is; the other one from the other side.
+  Test_scene data;
+  const auto place = [&](std::size_t i) {
+    const std::size_t v = data.features[i].vertex_index;
+    return Vector3d(data.sequence->trajectories().point(v, 1));
+  };
+  std::size_t opposite = 0; // in the middle of the sphere's height
+  double least = 0;
+  for (std::size_t v = 0; v < data.sequence->number_of_vertices(); ++v) {
+    const double cosine = data.sequence->trajectories().point(v, 0).dot(data.sequence->trajectories().point(
+        data.features[0].vertex_index, 0));
+    if (cosine < least) least = cosine, opposite = v;
+  }
+  data.features[1].vertex_index = opposite;
+  data.features[1].frame = 3;
+  data.features[1].time = 0.3;
+  for (Feature& f : data.features) f.tau = 0.02;
+  const Scene_views views = scene_views(data.scene(), 2);
+  CHECK(views.up_axis == 2);
+  CHECK(views.selection.views[0].direction.dot(place(0)) > 0);
+  for (const auto& v : views.selection.views) CHECK(v.angles.elevation > 5 - 1e-6 && v.angles.elevation < 50 + 1e-6);
+  CHECK(views.view_of_frame(1) == 0);
+  CHECK(views.selection.views[views.view_of_frame(3)].direction.dot(place(1)) > 0);
+}
+
 #ifdef DETECT_FEATURES_WITH_PICTURES
 
 void test_scene_pictures()
@@ -588,8 +618,14 @@ void test_scene_pictures()
   other.frames = {1, 3};
   CHECK(differs(other));
   other = options;
-  other.azimuth = 100;
+  other.view.kind = View_kind::ANGLES;
+  other.view.azimuth = 100;
   CHECK(differs(other));
+  // the views that a scene has are those that it is seen from
+  Shown_scene with_views = scene;
+  const Scene_views views = scene_views(scene, std::nullopt);
+  with_views.views = &views;
+  CHECK(picture_of_scene(with_views, options).pixels() == picture.pixels());
   other = options;
   other.up_axis = 0;
   CHECK(differs(other));
@@ -626,8 +662,8 @@ void test_scene_pictures()
   check_refused([](auto& o) { o.width = 63; }, "64 to 16384");
   check_refused([](auto& o) { o.height = 16385; }, "64 to 16384");
   check_refused([](auto& o) { o.width = o.height = 16384; }, "too large");
-  check_refused([](auto& o) { o.elevation = 90; }, "elevation");
-  check_refused([](auto& o) { o.azimuth = std::numeric_limits<double>::quiet_NaN(); }, "azimuth");
+  check_refused([](auto& o) { o.view.elevation = 90; }, "elevation");
+  check_refused([](auto& o) { o.view.azimuth = std::numeric_limits<double>::quiet_NaN(); }, "azimuth");
   check_refused([](auto& o) { o.up_axis = 3; }, "axis 3");
 }
 
@@ -752,7 +788,8 @@ int main()
   test_colours();
   test_palette();
   test_layout();
-  test_automatic_view();
+  test_panel_cameras();
+  test_views();
   test_png();
 #endif
   return test_result();

@@ -95,6 +95,35 @@ cmp -s upright.png above.png && fail "--view has no effect"
 picture behind --frame 10 --png-size 200x160 --view=-30,-20
 cmp -s one.png behind.png && fail "--view has no effect"
 
+# Views by name are those by angles, the automatic one is the default, and it is told.
+picture front --frame 3 --png-size 200x160 --view front
+picture told --frame 3 --png-size 200x160 --view=-90,0
+cmp -s front.png told.png || fail "the front is not at -y where z points up"
+picture left --frame 3 --png-size 200x160 --view left
+cmp -s front.png left.png && fail "left is front"
+picture auto --frame 10 --png-size 200x160 --view auto
+cmp -s one.png auto.png || fail "the default view is not auto"
+checks=$((checks + 1))
+"$program" c.obj c.pc2 --fps 10 -q --views v.json --view-map map.png --up z || fail "--views"
+python3 - <<'PYTHON' || fail "v.json: $(head -c 600 v.json)"
+import json, math
+
+d = json.load(open("v.json"))
+assert d["format"] == "animated-mesh-features-views" and d["up"] == [0, 0, 1] and d["score"] == "features", d
+assert 1 <= len(d["views"]) <= 3 and all(0 <= f < 20 for f in d["frames"])
+for i, v in enumerate(d["views"]):
+    assert v["rank"] == i + 1 and 0 < v["score"] <= v["covered"] + 0.01 <= 1.02 and 4.99 <= v["elevation"] <= 50.01
+    a, e = math.radians(v["azimuth"]), math.radians(v["elevation"])
+    there = (math.cos(e) * math.cos(a), math.cos(e) * math.sin(a), math.sin(e))
+    assert max(abs(x - y) for x, y in zip(there, v["direction"])) < 1e-3
+assert all(a["covered"] <= b["covered"] for a, b in zip(d["views"], d["views"][1:]))
+keys = d["camera"]["keys"]
+for a, b in zip(keys, keys[1:]):
+    cosine = sum(x * y for x, y in zip(a["direction"], b["direction"]))
+    assert math.degrees(math.acos(min(1, cosine))) <= 45.1 * (b["time"] - a["time"]), (a, b)
+PYTHON
+check 'size(map) == (1920, 1120)' map
+
 refuses "there is no frame 20 to be shown; frames are 0 to 19" --png x.png --frame 20
 refuses "no number" --png x.png --frame last
 refuses "--frame goes with --png" --frame 1 -o json:x.png
@@ -108,6 +137,8 @@ refuses "no size" --png x.png --png-size 100
 refuses "no number" --png x.png --png-size 100xbig
 refuses "pair of angles" --png x.png --view 30
 refuses "no number" --png x.png --view 30,high
+refuses "is no view: auto, front" --png x.png --view sideways
+refuses "the ending" --view-map map.doc
 refuses "less than 90" --png x.png --view 30,90
 refuses "choose among x, y, z" --png x.png --up w
 refuses "no colour" --png x.png --png-background white

@@ -57,7 +57,7 @@ export class Stage {
     this.body = this.bodySize();
     // A body that walks off is followed.
     const travel = Math.hypot(...[0, 1, 2].map((c) => scene.box.max[c] - scene.box.min[c]));
-    state.set({ follow: travel > 1.6 * this.body, up: upAxis(scene.boxes) });
+    state.set({ follow: travel > 1.6 * this.body, up: scene.view?.up ?? upAxis(scene.boxes) });
     this.ground = null;
     this.addPointer();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
@@ -171,7 +171,7 @@ export class Stage {
     this.followed = centre;
   }
 
-  /** Shows the whole body, from the front and the side, a little from above. */
+  /** Shows the whole body, from where the program that made the page says, or from the front and the side, a little above. */
   resetView() {
     const follow = this.state.values.follow, time = this.state.values.time;
     const box = follow ? this.scene.boxes[this.scene.interval(time).from] : this.scene.box;
@@ -180,7 +180,8 @@ export class Stage {
     // along the longer horizontal side
     const up = this.state.values.up;
     const isWide = up === "y" ? size[0] >= size[2] : size[0] >= size[1];
-    const direction = up === "y"
+    const told = this.scene.view?.up === up ? this.scene.view.direction : undefined;
+    const direction = told ? new THREE.Vector3(...told) : up === "y"
       ? new THREE.Vector3(isWide ? 0.45 : 1, 0.28, isWide ? 1 : 0.45)
       : new THREE.Vector3(isWide ? 0.45 : 1, isWide ? -1 : -0.45, 0.28);
     this.look(target, direction.normalize(), this.distanceFor(box, target, direction));

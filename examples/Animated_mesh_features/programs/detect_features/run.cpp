@@ -24,6 +24,7 @@
 #include "running/Stage_log.h"
 #include "running/Thread_limit.h"
 #include "running/tell.h"
+#include "views/Scene_views.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -88,11 +89,19 @@ void run(const Command_line& c)
   const Detection detection = detect(sequence, c.method, plan.level_memory(), fields, *monitor);
   monitor.reset();
   Interruption::check();
+  Shown_scene shown = scene(c.reading, animation, detection, fields);
+  std::optional<Scene_views> views;
+  if (c.output.has_chosen_views()) {
+    monitor.emplace(log, !c.run.quiet);
+    views = scene_views(shown, c.output.picture.up_axis, *monitor);
+    monitor.reset();
+    shown.views = &*views;
+  }
   {
     const Stage_log::Scope stage(log, "writing");
     files.write_features(detection.features, result_description(c.reading, c.method, animation, detection));
     Interruption::check();
-    files.write_scenes(scene(c.reading, animation, detection, fields));
+    files.write_scenes(shown);
     Interruption::check();
     files.commit();
   }

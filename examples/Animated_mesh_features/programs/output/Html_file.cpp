@@ -22,10 +22,12 @@ namespace Programs {
 
 namespace {
 
-Html_options html_options(std::size_t frame_step)
+Html_options html_options(const Output_options& o)
 {
   Html_options options;
-  options.frame_step = frame_step;
+  options.frame_step = o.html_frame_step;
+  options.view = o.picture.view;
+  options.up_axis = o.picture.up_axis;
   return options;
 }
 
@@ -41,12 +43,12 @@ class Html_file : public Scene_file
 public:
   Html_file(const std::string& path, const Output_options& o)
     : m_file(path, o.sync())
-    , m_frame_step(o.html_frame_step)
+    , m_options(html_options(o))
   {}
 
   void write(const Shown_scene& scene) override
   {
-    write_html(m_file.stream(), scene, viewer_page(), html_options(m_frame_step));
+    write_html(m_file.stream(), scene, viewer_page(), m_options);
     m_file.stream().flush();
     m_file.check();
   }
@@ -54,7 +56,7 @@ public:
 
 private:
   AMF::IO::Output_file m_file;
-  std::size_t m_frame_step;
+  Html_options m_options;
 };
 #endif
 
@@ -66,7 +68,7 @@ std::string html_notice(const Output_options& o, std::size_t number_of_vertices,
   check_viewer();
   std::size_t step = 0;
   try {
-    step = Programs::html_frame_step(number_of_vertices, number_of_frames, html_options(o.html_frame_step));
+    step = Programs::html_frame_step(number_of_vertices, number_of_frames, html_options(o));
   } catch (const AMF::Option_error& e) {
     throw AMF::Option_error("--html: " + std::string(e.what()) +
                             ": --html-every N takes every N-th frame, 1 all of them");

@@ -69,7 +69,7 @@ void add_result_options(Option_group& group, Output_options& o)
 void check_is_built([[maybe_unused]] Scene_format format)
 {
 #ifndef DETECT_FEATURES_WITH_PICTURES
-  if (format == Scene_format::PLOT || format == Scene_format::PNG)
+  if (format == Scene_format::PLOT || format == Scene_format::PNG || format == Scene_format::VIEW_MAP)
     throw Option_error("--" + name(format) +
                        ": this program was built without pictures: cairo was missing, or switched off");
 #endif
@@ -114,8 +114,15 @@ void add_scene_options(Option_group& group, Output_options& o)
       "ending, SVG on the standard output");
   add_scene(group, o, Scene_format::PNG, "FILE",
             "a picture (PNG) of the surface, coloured by the deformation, with the features as spheres (radius sqrt(2) "
-            "sigma; blue: long, red: short), in the frames that --frame tells (default: those of the strongest "
+            "sigma; blue: long, red: short; dashed: at a limit of the scales) with their ranks, in the frames that --frame "
+            "tells (default: those of the strongest "
             "features, at most 6)");
+  add_scene(group, o, Scene_format::VIEWS, "FILE",
+            "the views that show most of the features (JSON): the best one and two that show what it hides, with their "
+            "scores, and a camera's path over the clip");
+  add_scene(group, o, Scene_format::VIEW_MAP, "FILE",
+            "a map of what views from all sides show of the features, by azimuth and elevation: .svg, .pdf or .png by its "
+            "ending");
 }
 
 } // namespace
@@ -136,7 +143,9 @@ Names<Scene_format> names(Scene_format)
           {"vtk", Scene_format::VTK},
           {"glb", Scene_format::GLB},
           {"plot", Scene_format::PLOT},
-          {"png", Scene_format::PNG}};
+          {"png", Scene_format::PNG},
+          {"views", Scene_format::VIEWS},
+          {"view-map", Scene_format::VIEW_MAP}};
 }
 
 bool Output_options::is_written(Field field) const
@@ -147,8 +156,8 @@ bool Output_options::is_written(Field field) const
 bool Output_options::is_shown(Field field) const
 {
   // All scenes with a surface colour it by the deformation, and offer the others if they are there anyway.
-  const bool has_surface =
-      std::any_of(scenes.begin(), scenes.end(), [](const auto& s) { return s.kind != Scene_format::PLOT; });
+  const bool has_surface = has_scene(Scene_format::HTML) || has_scene(Scene_format::VTK) ||
+                           has_scene(Scene_format::GLB) || has_scene(Scene_format::PNG);
   if (field == Field::DEFORMATION) return has_surface;
   const bool is_unused = field == Field::CURVATURE && !is_curvature_used;
   const bool has_all_fields = has_scene(Scene_format::VTK) && !is_unused;
@@ -165,6 +174,13 @@ std::size_t Output_options::extra_fields() const
 bool Output_options::has_scene(Scene_format format) const
 {
   return std::any_of(scenes.begin(), scenes.end(), [&](const auto& s) { return s.kind == format; });
+}
+
+bool Output_options::has_chosen_views() const
+{
+  const bool is_auto = picture.view.kind == View_kind::AUTO;
+  return has_scene(Scene_format::VIEWS) || has_scene(Scene_format::VIEW_MAP) ||
+         (is_auto && (has_scene(Scene_format::PNG) || has_scene(Scene_format::HTML)));
 }
 
 CGAL::Animated_mesh_features::IO::Output_sync Output_options::sync() const

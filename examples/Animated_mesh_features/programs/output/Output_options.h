@@ -38,7 +38,9 @@ enum class Scene_format
   VTK,
   GLB,
   PLOT,
-  PNG
+  PNG,
+  VIEWS,
+  VIEW_MAP
 }; // each has an option of its own
 
 Names<Field> names(Field);
@@ -78,6 +80,9 @@ struct Output_options
   std::size_t extra_fields() const;
 
   bool has_scene(Scene_format format) const;
+
+  // whether a scene is looked at from where the program chooses
+  bool has_chosen_views() const;
 
   CGAL::Animated_mesh_features::IO::Output_sync sync() const;
 

@@ -9,10 +9,12 @@
 #include "output/Html_file.h"
 #include "scenes/write_glb.h"
 #include "scenes/write_vtk.h"
+#include "views/write_views.h"
 #ifdef DETECT_FEATURES_WITH_PICTURES
   #include "pictures/write_png.h"
   #include "plots/plot_format.h"
   #include "plots/write_plot.h"
+  #include "plots/write_view_map.h"
 #endif
 
 #include <CGAL/Animated_mesh_features/IO/Output_file.h>
@@ -82,7 +84,15 @@ std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested, 
   case Scene_format::GLB:
     return single_file(requested.path, o.sync(),
                        [](std::ostream& os, const Shown_scene& scene) { write_glb(os, scene); });
+  case Scene_format::VIEWS:
+    return single_file(requested.path, o.sync(),
+                       [](std::ostream& os, const Shown_scene& scene) { write_views(os, scene); });
 #ifdef DETECT_FEATURES_WITH_PICTURES
+  case Scene_format::VIEW_MAP:
+    return single_file(requested.path, o.sync(),
+                       [format = plot_format("--view-map", requested.path)](std::ostream& os, const Shown_scene& scene) {
+                         write_view_map(os, scene, format);
+                       });
   case Scene_format::PLOT:
     return single_file(requested.path, o.sync(),
                        [format = plot_format("--plot", requested.path)](std::ostream& os, const Shown_scene& scene) {
@@ -93,6 +103,7 @@ std::unique_ptr<Scene_file> open(const Requested_file<Scene_format>& requested, 
       write_png(os, scene, options);
     });
 #else
+  case Scene_format::VIEW_MAP:
   case Scene_format::PLOT:
   case Scene_format::PNG:
     break; // refused with the option

@@ -46,10 +46,19 @@ void set_background(const Argument& argument, Picture_options& options)
 
 void set_view(const Argument& argument, Picture_options& options)
 {
+  std::string all;
+  for (const auto& n : names(View_kind())) {
+    if (n.first == argument.text()) {
+      options.view.kind = n.second;
+      return;
+    }
+    all += n.first + ", ";
+  }
   const std::size_t comma = argument.text().find(',');
-  if (comma == std::string::npos) argument.refuse("is no pair of angles such as 30,10");
-  options.azimuth = argument.part(0, comma).number();
-  options.elevation = argument.part(comma + 1).number();
+  if (comma == std::string::npos) argument.refuse("is no view: " + all + "or a pair of angles such as 30,10");
+  options.view.kind = View_kind::ANGLES;
+  options.view.azimuth = argument.part(0, comma).number();
+  options.view.elevation = argument.part(comma + 1).number();
 }
 
 void set_up_axis(const Argument& argument, Picture_options& options)
@@ -70,6 +79,19 @@ Option_group::Use of_picture(Output_options& o, void (*set)(const Argument&, Pic
   };
 }
 
+// The same of what pages and views have, too.
+Option_group::Use of_view(Output_options& o, void (*set)(const Argument&, Picture_options&), bool is_for_views)
+{
+  return [&o, set, is_for_views](const Argument& a) {
+    const bool is_used = o.has_scene(Scene_format::PNG) || o.has_scene(Scene_format::HTML) ||
+                         (is_for_views && (o.has_scene(Scene_format::VIEWS) || o.has_scene(Scene_format::VIEW_MAP)));
+    if (!is_used)
+      throw Option_error(a.option() + " goes with --png or --html" + (is_for_views ? ", --views or --view-map" : "") +
+                         ", the scenes that are looked at from somewhere");
+    set(a, o.picture);
+  };
+}
+
 } // namespace
 
 void add_picture_options(Option_group& group, Output_options& o)
@@ -81,14 +103,15 @@ void add_picture_options(Option_group& group, Output_options& o)
   group.add("png-size", "WxH", "the size of the picture in pixels (default: 1600x1000)", of_picture(o, set_size));
   group.add("png-background", "RRGGBB", "its background, hexadecimal (default: ffffff, white)",
             of_picture(o, set_background));
-  group.add("view", "AZIMUTH,ELEVATION",
-            "where the picture is taken from, in degrees: around the vertical axis, counterclockwise seen from above, "
-            "from +z if y points up and from +x if z does; above the horizon, -89 to 89 (default: obliquely from the "
-            "side on which the body is widest, and more of the strong features are seen, slightly from above)",
-            of_picture(o, set_view));
+  group.add("view", "VIEW",
+            "where the picture is taken from, and the page opens: auto, front, back, left, right, top, bottom, or "
+            "AZIMUTH,ELEVATION in degrees: around the vertical axis, counterclockwise seen from above, from +z if y "
+            "points up and from +x if z does; above the horizon, -89 to 89. The front is at +z, or at -y if z points "
+            "up (default: auto, from where most of the features is seen, 5 to 50 degrees above the horizon)",
+            of_view(o, set_view, false));
   group.add("up", "AXIS",
             "the axis that points up in the picture: x, y or z (default: y or z, on which the body stands)",
-            of_picture(o, set_up_axis));
+            of_view(o, set_up_axis, true));
 }
 
 } // namespace Programs

@@ -7,7 +7,10 @@
 #ifndef PROGRAMS_PAGE_HTML_OPTIONS_H
 #define PROGRAMS_PAGE_HTML_OPTIONS_H
 
+#include "views/View_choice.h"
+
 #include <cstddef>
+#include <optional>
 
 namespace Programs {
 
@@ -24,6 +27,13 @@ struct Html_options
 
   // keep every `frame_step`-th frame, whatever comes of it: 1 keeps all of them. Default: 0, as the two limits above tell.
   std::size_t frame_step = 0;
+
+  // where the page is looked at from when it opens. Default: AUTO, the best of the scene's views; if it has none, the page
+  // chooses.
+  View_choice view;
+
+  // the axis that points up, y (1) or z (2). Default: that of the scene's views; if it has none, the page chooses.
+  std::optional<int> up_axis;
 };
 
 // Every how many frames a page has of an animation of that size; 1: all of them. To be asked before hours of computing.

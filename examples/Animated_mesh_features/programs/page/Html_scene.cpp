@@ -10,6 +10,7 @@
 #include "page/write_base64.h"
 #include "rendering/Palette.h"
 #include "running/Interruption.h"
+#include "views/Scene_views.h"
 
 #include <CGAL/Animated_mesh_features/IO/write_json.h>
 
@@ -89,8 +90,9 @@ void write_bytes(std::ostream& os, const std::string& id, const std::string& byt
 
 } // namespace
 
-Html_scene::Html_scene(const Shown_scene& scene, std::size_t frame_step)
+Html_scene::Html_scene(const Shown_scene& scene, std::size_t frame_step, const Html_options& options)
   : m_scene(scene)
+  , m_options(options)
   , m_frames(kept_frames(scene.sequence.number_of_frames(), frame_step))
   , m_positions(scene.sequence.trajectories(), scene.sequence.rest_shape())
   , m_rest(resting(scene.sequence.rest_shape()))
@@ -135,6 +137,7 @@ Json Html_scene::description() const
           {"bounding_box_diagonal", sequence.rest_shape().bounding_box_diagonal()},
           {"largest_error", largest_error()},
           {"kept_frames", m_frames},
+          {"view", view()},
           {"origin", m_positions.origin()},
           {"step", m_positions.step()},
           {"corners", corners()},
@@ -151,6 +154,22 @@ Json Html_scene::corners() const
   for (const std::size_t f : m_frames)
     result.push_back(
         std::array<std::int64_t, 3>{{m_positions.corner(0, f), m_positions.corner(1, f), m_positions.corner(2, f)}});
+  return result;
+}
+
+// Where the page opens: null, or what points up and, if it is known, the direction to the camera.
+Json Html_scene::view() const
+{
+  namespace AMF = CGAL::Animated_mesh_features;
+  const bool is_told = m_options.view.kind != View_kind::AUTO;
+  if (!is_told && !m_options.up_axis && m_scene.views == nullptr) return nullptr;
+  const int up = m_scene.views != nullptr ? m_scene.views->up_axis : scene_up_axis(m_scene, m_options.up_axis);
+  if (up == 0) return nullptr; // the page knows of y and z
+  Json result = {{"up", up == 2 ? "z" : "y"}};
+  if (!is_told && m_scene.views == nullptr) return result;
+  const Eigen::Vector3d d = is_told ? AMF::view_direction(told_angles(m_options.view, up), Eigen::Vector3d::Unit(up))
+                                    : m_scene.views->selection.views.front().direction;
+  result["direction"] = std::array<double, 3>{{d[0], d[1], d[2]}};
   return result;
 }
 

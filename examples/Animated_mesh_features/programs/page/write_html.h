@@ -37,6 +37,7 @@ struct Html_report
 // - Fields are rounded to 256 values between the smallest and the 99.5th percentile, above which they are shown as that.
 // - All are written as differences from what a neighbour's motion predicts, in byte planes, deflated, as base64.
 // - Features are written as IO::write_json() does.
+// - "view" tells where the page opens: what points up, and the direction to the camera; null if that is left to the page.
 //
 // A scene of more vertices times frames than `Html_options::most_positions` is thinned out in time: every k-th frame and
 // the last one are kept, the page is linear between them.

@@ -31,7 +31,7 @@ void check_picture_options(const Picture_options& options)
                        " pixels are possible");
   if (options.up_axis && (*options.up_axis < 0 || *options.up_axis > 2))
     throw Option_error("there is no axis " + std::to_string(*options.up_axis) + " that could point up");
-  if (!(std::abs(options.elevation) < 90) || (options.azimuth && !std::isfinite(*options.azimuth)))
+  if (!(std::abs(options.view.elevation) < 90) || !std::isfinite(options.view.azimuth))
     throw Option_error(
         "the elevation of a picture's view must be more than -90 and less than 90 degrees, and its azimuth "
         "finite");

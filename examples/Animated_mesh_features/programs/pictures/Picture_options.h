@@ -7,6 +7,8 @@
 #ifndef PROGRAMS_PICTURES_PICTURE_OPTIONS_H
 #define PROGRAMS_PICTURES_PICTURE_OPTIONS_H
 
+#include "views/View_choice.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -28,12 +30,9 @@ struct Picture_options
   // The axis that points up: 0, 1, 2 for x, y, z. None: y or z, on which the body stands.
   std::optional<int> up_axis;
 
-  // Where the camera is, in degrees around the up axis, counterclockwise seen from above, from +z if y points up, from
-  // +x if z does, from +y if x does. None: beside the thinnest direction of the body, on the side that shows more of the
-  // features.
-  std::optional<double> azimuth;
-
-  double elevation = 10; // degrees above the horizon
+  // Where the camera is. AUTO: where it sees most of the features, see scene_views(); in panels of frames of which that
+  // view hides too much, elsewhere.
+  View_choice view;
 
   std::array<std::uint8_t, 3> background = {{255, 255, 255}}; // sRGB, 8 bits a channel
 

@@ -65,6 +65,8 @@ std::vector<Rendering::Sphere> Scene_pictures::spheres(std::size_t frame) const
     s.opacity = float(opacity_in_frame(f, frame, step));
     s.filling = float((std::min)(1., largest_filled / s.radius));
     s.colour = Rendering::duration_colours()(m_places[i]);
+    s.is_dashed = f.at_scale_limit;
+    s.rank = i + 1;
     result.push_back(s);
   }
   return result;

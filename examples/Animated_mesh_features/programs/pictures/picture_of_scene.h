@@ -15,10 +15,13 @@ namespace Programs {
 
 // Draws a scene in some frames: the surface, coloured by the first of the scene's fields, and the features that live in
 // the frame as translucent spheres of radius sqrt(2) sigma, blue where tau is long and red where it is short, as faint as
-// `opacity_in_frame()` tells. Each frame has a panel of its own, with its number and time; a legend stands below.
+// `opacity_in_frame()` tells, with their ranks where there is room; outlines of those at a limit of the scales are
+// dashed. Each frame has a panel of its own, with its number and time; a legend stands below. Unless a view is told,
+// frames are seen from where `scene.views`, or else `scene_views()`, say: the best view, or another one of a frame of
+// which it hides too much.
 //
 // The pictures are drawn by a renderer of our own (perspective, hidden parts by z-buffer, 16 samples a pixel averaged in
-// linear light, soft shadows and ambient occlusion of 184 lights), without a display or a graphics processor; what is
+// linear light, soft shadows and ambient occlusion of 124 lights), without a display or a graphics processor; what is
 // written on them, by cairo. The same bits whatever the number of threads. Takes O(frames (pixels + triangles)) time:
 // about a second of a core for a frame of 9,000 vertices in 250,000 pixels; and 150 bytes for each pixel of the largest
 // panel.

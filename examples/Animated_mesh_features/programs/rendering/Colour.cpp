@@ -7,7 +7,10 @@
 #include "rendering/Colour.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace Programs::Rendering {
 
@@ -23,6 +26,32 @@ float srgb_from_linear(float l)
 {
   return l <= 0.0031308f ? 12.92f * l : 1.055f * std::pow(l, 1 / 2.4f) - 0.055f;
 }
+
+// The number of a channel, rounded, without a power for each: where in linear light each number begins, and with which
+// one to begin to look.
+class Srgb_steps
+{
+public:
+  Srgb_steps()
+  {
+    for (std::size_t i = 0; i < 255; ++i) m_end[i] = linear_from_srgb((float(i) + 0.5f) / 255);
+    for (std::size_t i = 0; i < m_first.size(); ++i)
+      m_first[i] = std::uint8_t(srgb_from_linear(float(i) / float(m_first.size())) * 255);
+  }
+
+  std::uint8_t operator()(float l) const
+  {
+    if (!(l > 0)) return 0;
+    if (l >= 1) return 255;
+    std::size_t i = m_first[std::size_t(l * float(m_first.size()))];
+    while (i < 255 && l >= m_end[i]) ++i;
+    return std::uint8_t(i);
+  }
+
+private:
+  std::array<float, 255> m_end;
+  std::array<std::uint8_t, 4096> m_first;
+};
 
 // The white point D65 of sRGB, in CIE XYZ.
 Eigen::Array3d white_point()
@@ -40,12 +69,8 @@ Colour linear(const Srgb8& c)
 
 Srgb8 encoded(const Colour& c)
 {
-  Srgb8 result;
-  for (int i = 0; i < 3; ++i) {
-    const float s = srgb_from_linear((std::min)(1.f, (std::max)(0.f, c[i])));
-    result[std::size_t(i)] = std::uint8_t(s * 255 + 0.5f);
-  }
-  return result;
+  static const Srgb_steps steps;
+  return {{steps(c[0]), steps(c[1]), steps(c[2])}};
 }
 
 std::string hexadecimal(const Srgb8& c)

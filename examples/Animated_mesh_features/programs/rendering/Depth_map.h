@@ -21,8 +21,10 @@ class Depth_map
 {
 public:
   // Looks at a surface, which is not kept, from the light. `centre` and `radius` are of a sphere around the surface,
-  // `to_light` is a unit vector.
-  Depth_map(const Surface& surface, const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& to_light);
+  // `to_light` is a unit vector, `size` the texels a side. An error of one of 512, 0.4 % of the body, is smaller than the
+  // penumbra of any of the lights.
+  Depth_map(const Surface& surface, const Eigen::Vector3d& centre, double radius, const Eigen::Vector3d& to_light,
+            std::size_t size = 512);
 
   // How much of the light reaches a point, 0 to 1, interpolated between texels; outside of the map there is no shadow.
   // Points on a surface shadow themselves: they are moved along their normal by one or two texels. Inline, because it
@@ -30,30 +32,32 @@ public:
   float visibility(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const
   {
     const double away = 1.5; // texels: half the diagonal of the interpolated ones, for slopes of up to 45 degrees
-    Eigen::Vector3d p = place(point + away / m_scale * normal);
-    p[0] -= 0.5, p[1] -= 0.5;
-    if (!(p[0] >= 0 && p[1] >= 0 && p[0] < size - 1 && p[1] < size - 1)) return 1;
+    Eigen::Vector3f p = place(point + away / m_scale * normal);
+    p[0] -= 0.5f, p[1] -= 0.5f;
+    const float last = float(m_size - 1);
+    if (!(p[0] >= 0 && p[1] >= 0 && p[0] < last && p[1] < last)) return 1;
     const long x = long(p[0]), y = long(p[1]);
-    const float s = float(p[0] - double(x)), t = float(p[1] - double(y)), height = float(p[2]);
-    const float* const h = &m_height[std::size_t(y * size + x)];
+    const float s = p[0] - float(x), t = p[1] - float(y), height = p[2];
+    const float* const h = &m_height[std::size_t(y * m_size + x)];
     const auto is_lit = [height](float h) { return height >= h ? 1.f : 0.f; };
     return (1 - t) * ((1 - s) * is_lit(h[0]) + s * is_lit(h[1])) +
-           t * ((1 - s) * is_lit(h[size]) + s * is_lit(h[size + 1]));
+           t * ((1 - s) * is_lit(h[m_size]) + s * is_lit(h[m_size + 1]));
   }
 
 private:
-  // Texels a side. An error of one, 0.4 % of the body, is smaller than the penumbra of any of the lights.
-  static constexpr long size = 512;
-
   // in texels, the third towards the light
-  Eigen::Vector3d place(const Eigen::Vector3d& p) const
+  Eigen::Vector3f place(const Eigen::Vector3d& p) const
   {
-    const Eigen::Vector3d d = (p - m_centre) * m_scale;
-    return Eigen::Vector3d(d.dot(m_u) + size / 2., d.dot(m_v) + size / 2., d.dot(m_w));
+    const float middle = float(m_size) / 2;
+    return m_axes * (p - m_centre).cast<float>() + Eigen::Vector3f(middle, middle, 0);
   }
 
-  Eigen::Vector3d m_u, m_v, m_w, m_centre;
+  void draw(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c);
+
+  long m_size;
+  Eigen::Vector3d m_centre;
   double m_scale; // texels in a unit of length
+  Eigen::Matrix3f m_axes; // in texels
   std::vector<float> m_height;
 };
 

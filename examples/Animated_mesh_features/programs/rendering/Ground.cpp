@@ -30,7 +30,8 @@ std::vector<Shading_point> Ground::points() const
       Shading_point& p = result[y * size + x];
       p.point = m_origin + m_half_width * (at(x) * m_u + at(y) * m_v);
       p.normal = m_up;
-      p.least_cosine = least_cosine;
+      // where shadows have faded away, no light is asked for
+      p.least_cosine = std::hypot(at(x), at(y)) < 1 ? least_cosine : 2;
     }
   return result;
 }

@@ -21,7 +21,8 @@
 namespace Programs::Rendering {
 
 std::vector<Shading> illuminated(const std::vector<Shading_point>& points, const Surface& surface,
-                                 const Eigen::Vector3d& centre, double radius, const std::vector<Light>& lights)
+                                 const Eigen::Vector3d& centre, double radius, const std::vector<Light>& lights,
+                                 std::size_t map_size)
 {
   typedef CGAL::Parallel_if_available_tag Parallel;
   using CGAL::Animated_mesh_features::parallel_for;
@@ -34,7 +35,7 @@ std::vector<Shading> illuminated(const std::vector<Shading_point>& points, const
     const std::size_t n = (std::min)(maps_at_a_time, lights.size() - first);
     parallel_for<Parallel>(0, n, [&](std::size_t i) {
       Interruption::check();
-      maps[i] = std::make_unique<Depth_map>(surface, centre, radius, lights[first + i].direction);
+      maps[i] = std::make_unique<Depth_map>(surface, centre, radius, lights[first + i].direction, map_size);
     });
     parallel_for<Parallel>(0, (points.size() + block - 1) / block, [&](std::size_t b) {
       Interruption::check();
@@ -51,9 +52,10 @@ std::vector<Shading> illuminated(const std::vector<Shading_point>& points, const
           // Blinn's highlights, normalised, with Schlick's approximation of what glances off
           const Eigen::Vector3d half = (light.direction + s.to_eye).normalized();
           const double grazing = 1 - (std::max)(0., half.dot(s.to_eye));
-          const double fresnel = reflectance + (1 - reflectance) * std::pow(grazing, 5);
-          const double lobe =
-              (shininess + 8) / 8 * std::pow((std::max)(0., half.dot(s.normal)), shininess) * fresnel * cosine;
+          const double fresnel = reflectance + (1 - reflectance) * grazing * grazing * grazing * grazing * grazing;
+          const double mirrored = (std::max)(0., half.dot(s.normal));
+          if (mirrored < 0.75) continue; // to the power of the shininess, below 1e-4
+          const double lobe = (shininess + 8) / 8 * std::pow(mirrored, shininess) * fresnel * cosine;
           result[p].highlight += visibility * float(lobe) * light.colour;
         }
       }

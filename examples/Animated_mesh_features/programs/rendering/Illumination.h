@@ -13,6 +13,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <vector>
 
 namespace Programs::Rendering {
@@ -34,12 +35,13 @@ struct Shading
 };
 
 // Lets all lights fall on points, with the shadows that the surface casts; `centre` and `radius` are of a sphere around
-// it.
+// it, `map_size` is that of the lights' depth maps.
 //
 // Light by light, for all points: a depth map is used while it is in the cache, and forgotten. Takes
 // O(lights (points + triangles)) time. The result does not depend on the number of threads.
 std::vector<Shading> illuminated(const std::vector<Shading_point>& points, const Surface& surface,
-                                 const Eigen::Vector3d& centre, double radius, const std::vector<Light>& lights);
+                                 const Eigen::Vector3d& centre, double radius, const std::vector<Light>& lights,
+                                 std::size_t map_size = 512);
 
 } // namespace Programs::Rendering
 

@@ -43,19 +43,19 @@ std::vector<Light> studio_lights(const Eigen::Vector3d& up, const Eigen::Vector3
   const auto add = [&](const Eigen::Vector3d& axis, double opening, std::size_t n, const Colour& colour,
                        bool is_highlight) {
     for (const Eigen::Vector3d& d : spread_directions(axis, opening * EIGEN_PI / 180, n))
-      lights.push_back({d, colour / float(n), is_highlight});
+      lights.push_back({d, colour / float(n), is_highlight, !is_highlight});
   };
-  add(direction(-38, 52), 13, 40, 0.62f * Colour(1.03f, 1.f, 0.95f), true);
-  add(direction(55, 18), 25, 16, 0.17f * Colour(0.94f, 0.98f, 1.08f), false);
-  add(direction(150, 38), 18, 16, 0.28f * Colour(0.97f, 0.99f, 1.05f), true);
+  add(direction(-38, 52), 13, 28, 0.62f * Colour(1.03f, 1.f, 0.95f), true);
+  add(direction(55, 18), 25, 12, 0.17f * Colour(0.94f, 0.98f, 1.08f), false);
+  add(direction(150, 38), 18, 12, 0.28f * Colour(0.97f, 0.99f, 1.05f), true);
 
-  const std::size_t dome = 112;
+  const std::size_t dome = 72;
   for (const Eigen::Vector3d& d : spread_directions(up, EIGEN_PI, dome)) {
     const double height = d.dot(up);
     // the sky, and what the ground gives back
     const Colour radiance = height > 0 ? mix(Colour(0.62f, 0.62f, 0.62f), Colour(0.78f, 0.8f, 0.83f), float(height))
                                        : Colour(0.36f, 0.35f, 0.33f);
-    lights.push_back({d, radiance * float(4 / double(dome)) * 0.62f, false});
+    lights.push_back({d, radiance * float(4 / double(dome)) * 0.62f, false, true});
   }
   return lights;
 }

@@ -21,6 +21,7 @@ struct Light
   Eigen::Vector3d direction = Eigen::Vector3d::UnitY(); // towards the light, length 1
   Colour colour = Colour::Zero();                       // irradiance of a surface that faces it
   bool is_highlight = false;                            // whether it is reflected as a highlight
+  bool is_soft = false; // whether it is one of those from all around, whose shadows have no edges
 };
 
 // The lights of a studio: a large key light above one shoulder of the camera, a fill light at the other, a rim light

@@ -87,13 +87,23 @@ double Sphere_painter::first_hit(const Sphere& s, const Eigen::Vector3d& ray) co
   return beyond >= 0 ? nearest - std::sqrt(beyond) : -1;
 }
 
+// Whether a place on an outline lies between two of twelve dashes.
+bool Sphere_painter::is_gap(const Sphere& s, const Eigen::Vector3d& from_centre) const
+{
+  if (!s.is_dashed) return false;
+  const double pi = double(EIGEN_PI), period = pi / 6;
+  const double angle = std::atan2(from_centre.dot(m_camera.up), from_centre.dot(m_camera.right));
+  return std::fmod(angle + 2 * pi, period) > 0.6 * period;
+}
+
 // Where the sphere meets the surface.
 void Sphere_painter::draw_line(const Sphere& s, const Eigen::Vector3d& ray, double distance, Colour& colour) const
 {
   if (!std::isfinite(distance)) return;
-  const double off = std::abs((m_camera.eye + distance * ray - s.centre).norm() - s.radius);
+  const Eigen::Vector3d from_centre = m_camera.eye + distance * ray - s.centre;
+  const double off = std::abs(from_centre.norm() - s.radius);
   const double half_width = m_line_width / 2 * distance / m_camera.focal_length;
-  if (off < half_width) colour = mix(colour, dark(s), line_opacity * s.opacity);
+  if (off < half_width && !is_gap(s, from_centre)) colour = mix(colour, dark(s), line_opacity * s.opacity);
 }
 
 void Sphere_painter::draw_glass(const Sphere& s, const Eigen::Vector3d& ray, double distance, Colour& colour) const
@@ -107,11 +117,13 @@ void Sphere_painter::draw_glass(const Sphere& s, const Eigen::Vector3d& ray, dou
   colour = mix(colour, light * s.colour, glass * s.opacity);
   // the outline, as wide as a line whatever the size of the sphere
   const double pixels = m_camera.focal_length * s.radius / distance;
-  const double inward = pixels * (1 - std::sqrt((std::max)(0., 1 - std::pow(1 - grazing, 2))));
+  const double inward = pixels * (1 - std::sqrt((std::max)(0., 1 - double((1 - grazing) * (1 - grazing)))));
   const double edge = (std::min)(1., (std::max)(0., m_line_width - inward));
-  colour = mix(colour, dark(s), line_opacity * s.opacity * float(edge));
+  if (edge > 0 && !is_gap(s, normal)) colour = mix(colour, dark(s), line_opacity * s.opacity * float(edge));
   const Eigen::Vector3d half = (m_to_light + to_eye).normalized();
-  const float shine = float(std::pow((std::max)(0., half.dot(normal)), 90));
+  const double mirrored = (std::max)(0., half.dot(normal)), m2 = mirrored * mirrored, m8 = m2 * m2 * m2 * m2;
+  const double m16 = m8 * m8, m64 = m16 * m16 * m16 * m16;
+  const float shine = float(m64 * m16 * m8 * m2); // to the power of 90
   colour = mix(colour, Colour::Ones(), 0.75f * shine * s.opacity);
 }
 

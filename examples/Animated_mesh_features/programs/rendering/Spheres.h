@@ -26,6 +26,8 @@ struct Sphere
   Colour colour = Colour::Zero(); // of what it lets through
   float opacity = 1;              // 0: not to be seen
   float filling = 1;              // of its inside, compared with its outline
+  bool is_dashed = false;         // its outline
+  std::size_t rank = 0;           // the number to be written on it, from 1; 0: none
 };
 
 // Draws translucent spheres over what a camera sees. Their outlines are dark, and where a sphere meets the surface there
@@ -55,6 +57,7 @@ private:
 
   Box box(const Sphere& s) const;
   double first_hit(const Sphere& s, const Eigen::Vector3d& ray) const;
+  bool is_gap(const Sphere& s, const Eigen::Vector3d& from_centre) const;
   void draw_line(const Sphere& s, const Eigen::Vector3d& ray, double distance, Colour& colour) const;
   void draw_glass(const Sphere& s, const Eigen::Vector3d& ray, double distance, Colour& colour) const;
 

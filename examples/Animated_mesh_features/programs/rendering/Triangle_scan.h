@@ -21,6 +21,9 @@ namespace Programs::Rendering {
 class Triangle_scan
 {
 public:
+  // nothing
+  Triangle_scan() = default;
+
   // corners (x, y, value)
   Triangle_scan(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c)
   {
@@ -86,9 +89,9 @@ private:
   }
 
   bool m_is_empty = true;
-  std::array<Linear, 3> m_edge;
-  Linear m_value;
-  Eigen::Vector3d m_low, m_high;
+  std::array<Linear, 3> m_edge = {};
+  Linear m_value = {};
+  Eigen::Vector3d m_low = Eigen::Vector3d::Zero(), m_high = Eigen::Vector3d::Zero();
 };
 
 } // namespace Programs::Rendering

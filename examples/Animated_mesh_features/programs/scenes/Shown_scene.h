@@ -20,6 +20,8 @@ typedef Sequence Shown_sequence;
 typedef Feature Shown_feature;
 typedef Values Shown_values; // N x F
 
+struct Scene_views; // views/Scene_views.h
+
 // A field to be shown on the surface, under a name: "strain", "curvature", "deformation" or any other.
 struct Scene_field
 {
@@ -35,6 +37,7 @@ struct Shown_scene
   const std::vector<Shown_feature>& features; // strongest first
   std::vector<Scene_field> fields;            // as many as there are, the most interesting one first
   std::string title;                          // one line, UTF-8
+  const Scene_views* views = nullptr;         // where it is looked at from, if that is known; not owned
 
   // the field of that name; null if there is none
   const Shown_values* field(const std::string& name) const;

@@ -24,7 +24,8 @@ enum class Stage
   CURVATURE,      ///< change of curvature, all vertices and frames
   SCALE_SPACE,    ///< smoothing in space
   EXTREMA,        ///< smoothing in time, response, extremum search
-  REST_SHAPE      ///< the canonical shape, where it is asked for
+  REST_SHAPE,     ///< the canonical shape, where it is asked for
+  VIEWS           ///< directions to look from, where they are asked for
 };
 
 /*!
@@ -41,6 +42,7 @@ inline const char* name(Stage stage)
   case Stage::SCALE_SPACE: return "scale space";
   case Stage::EXTREMA: return "extrema";
   case Stage::REST_SHAPE: return "rest shape";
+  case Stage::VIEWS: return "views";
   }
   return "";
 }
