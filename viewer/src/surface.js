@@ -123,6 +123,13 @@ export class Surface {
       this.geometry,
       new THREE.ShaderMaterial({ ...parameters, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }),
     );
+    // under a clear surface: of several layers, the nearest one alone is blended
+    this.depth = new THREE.Mesh(
+      this.geometry,
+      new THREE.ShaderMaterial({ ...parameters, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1, colorWrite: false }),
+    );
+    this.depth.visible = false;
+    this.mesh.add(this.depth);
     this.wires = new THREE.Mesh(
       this.geometry,
       new THREE.ShaderMaterial({
@@ -136,7 +143,7 @@ export class Surface {
     );
     this.wires.visible = false;
     this.wires.renderOrder = 1;
-    for (const mesh of [this.mesh, this.wires]) mesh.frustumCulled = false; // three does not know where the shader puts it
+    for (const mesh of [this.mesh, this.depth, this.wires]) mesh.frustumCulled = false; // three does not know where the shader puts it
     this.setTime(0);
   }
 
@@ -190,6 +197,7 @@ export class Surface {
   setOpacity(opacity) {
     this.uniforms.opacity.value = opacity;
     const isClear = opacity < 1;
+    this.depth.visible = isClear;
     if (this.mesh.material.transparent === isClear) return;
     this.mesh.material.transparent = isClear;
     this.mesh.material.needsUpdate = true;
