@@ -56,6 +56,11 @@ if(DEFINED ANIMATED_MESH_FEATURES_VIEWER_PAGE)
     OPTIONAL)
 endif()
 
+# The add-on for Blender, a single file.
+install(FILES "${PROJECT_SOURCE_DIR}/python/blender/import_animated_mesh_features.py"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/Animated_mesh_features"
+  COMPONENT programs)
+
 if(TARGET detect_features)
   set(texts "${PROJECT_BINARY_DIR}/texts")
   foreach(text IN ITEMS

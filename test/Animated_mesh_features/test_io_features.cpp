@@ -155,8 +155,8 @@ void test_json()
   const ptree& f = tree.get_child("features");
   CHECK(f.size() == 2);
   const ptree& a = f.front().second;
-  CHECK(joined(a) == "vertex=1234567 frame=1007 time=0.1 position= sigma=0.25 tau=1e+20 radius=0.3535533905932738 "
-                     "response=-0.31 amplitude=0.75 fit=0.5 strength=0.375 place=3 parent=12 rest_position= triangle= barycentric_coordinates= "
+  CHECK(joined(a) == "rank=1 vertex=1234567 frame=1007 time=0.1 position= sigma=0.25 tau=1e+20 radius=0.3535533905932738 "
+                     "response=-0.31 amplitude=0.75 fit=0.5 strength=0.375 place=4 parent=13 rest_position= triangle= barycentric_coordinates= "
                      "at_scale_limit=true ");
   CHECK(joined(a.get_child("position")) == "=-1.5 =1234.5 =1e-20 ");
   CHECK(joined(a.get_child("rest_position")) == "=2.0 =3.0 =0.3333333333333333 ");
@@ -164,6 +164,7 @@ void test_json()
   CHECK(joined(a.get_child("barycentric_coordinates")) == "=0.5 =0.25 =0.25 ");
   CHECK(f.back().second.get<std::string>("strength") == "0.125");
   CHECK(f.back().second.get<std::string>("parent") == "null");
+  CHECK(f.back().second.get<std::string>("rank") == "2" && f.back().second.get<std::string>("place") == "1");
 
   const ptree empty = parsed(json({}, IO::Result_description()));
   CHECK(empty.count("features") == 1 && empty.get_child("features").empty());
@@ -376,7 +377,7 @@ void test_json_errors()
   CHECK_THROWS(Input_error, read_text(""), "x.json: is no valid JSON: line 1, column 1");
   CHECK_THROWS(Input_error, read_text(text + "}"), "x.json: is no valid JSON: line");
   CHECK_THROWS(Input_error, read_text(text.substr(0, text.size() - 10)), "x.json: is no valid JSON: line 8, column");
-  check("\"sigma\":0.5", "\"sigma\":NaN", "is no valid JSON: line 8, column 69, at features[1].sigma");
+  check("\"sigma\":0.5", "\"sigma\":NaN", "is no valid JSON: line 8, column 78, at features[1].sigma");
   check("\"sigma\":0.5", "\"sigma\":0,5", "is no valid JSON: line 8");
   check("\"sigma\":0.5", "\"sigma\":1e999", "a number is too large, at features[1].sigma");
   check("[1.0,0.0,0.0]", "[1.0,Infinity,0]", "is no valid JSON: line 8");
@@ -437,6 +438,16 @@ void test_json_errors()
   CHECK(few.features[1].amplitude == 0 && few.features[1].fit == 1 && written(few) == text);
   CHECK(written(read_text(replaced("\"format\"", "\"x\": [null], \"format\""))) == text);
   CHECK(written(read_text(replaced("\"faces\"", "\"x\": 1, \"faces\""))) == text);
+  check("\"place\":1", "\"place\":0", "features[1].place: is 0: ranks and places are counted from 1");
+  // ranks of a selection: parents are found by them, or were not selected
+  const auto selected = [&](const std::string& parent) {
+    std::string changed = replaced("\"parent\":null", "\"parent\":" + parent);
+    changed.replace(changed.find("\"rank\":1"), 8, "\"rank\":7");
+    changed.replace(changed.find("\"rank\":2"), 8, "\"rank\":9");
+    return read_text(changed).features[1].parent;
+  };
+  CHECK(selected("7") == 0 && selected("1") == Feature_point::none && selected("null") == Feature_point::none);
+  CHECK(read_text(replaced("\"parent\":null", "\"parent\":1")).features[1].parent == 0);
 }
 
 // nlohmann-json finds what makes an object of a feature.
@@ -445,18 +456,18 @@ void test_json_objects()
   const nlohmann::ordered_json all = std::vector<Feature>(2, features().front());
   CHECK(all.size() == 2 && all[1].size() == 17 && all[1].begin().key() == "vertex");
   CHECK(all[0]["sigma"] == 0.25 && all[0]["triangle"][1] == 1300000 && all[0]["at_scale_limit"] == true);
-  CHECK(json(features(), IO::Result_description()).find(all[0].dump()) != std::string::npos);
+  CHECK(json(features(), IO::Result_description()).find("{\"rank\":1," + all[0].dump().substr(1)) != std::string::npos);
 }
 
 void test_csv()
 {
   std::ostringstream os;
   IO::write_csv(os, features());
-  CHECK(os.str() == "vertex,frame,time,x,y,z,sigma,tau,radius,response,amplitude,fit,strength,place,parent,rest_x,rest_y,rest_z,"
+  CHECK(os.str() == "rank,vertex,frame,time,x,y,z,sigma,tau,radius,response,amplitude,fit,strength,place,parent,rest_x,rest_y,rest_z,"
                     "triangle_0,triangle_1,triangle_2,barycentric_0,barycentric_1,barycentric_2,at_scale_limit\n"
-                    "1234567,1007,0.1,-1.5,1234.5,1e-20,0.25,1e+20,0.3535533905932738,-0.31,0.75,0.5,0.375,3,12,2,3,"
+                    "1,1234567,1007,0.1,-1.5,1234.5,1e-20,0.25,1e+20,0.3535533905932738,-0.31,0.75,0.5,0.375,4,13,2,3,"
                     "0.3333333333333333,1234567,1300000,20,0.5,0.25,0.25,true\n"
-                    "0,0,0,0,0,0,0.5,0,0.7071067811865476,-0.125,0,1,0.125,0,,0,0,0,0,0,0,1,0,0,false\n");
+                    "2,0,0,0,0,0,0,0.5,0,0.7071067811865476,-0.125,0,1,0.125,1,,0,0,0,0,0,0,1,0,0,false\n");
 }
 
 void test_ply()
@@ -465,22 +476,39 @@ void test_ply()
                             "property float x\nproperty float y\nproperty float z\nproperty float sigma\n"
                             "property float tau\nproperty float time\nproperty float strength\n"
                             "property float radius\nproperty float amplitude\nproperty float fit\nproperty int frame\nproperty int vertex\n"
-                            "property int place\nproperty int parent\nend_header\n";
+                            "property int rank\nproperty int place\nproperty int parent\n"
+                            "property uchar at_scale_limit\n";
+  const std::string plain = start + "end_header\n";
   std::ostringstream ascii;
   IO::write_ply(ascii, features(), false);
-  CHECK(ascii.str() == "ply\nformat ascii" + start +
-                           "-1.5 1234.5 1e-20 0.25 1e+20 0.1 0.375 0.35355338 0.75 0.5 1007 1234567 3 12\n"
-                           "0 0 0 0.5 0 0 0.125 0.70710677 0 1 0 0 0 -1\n");
-  std::string expected = "ply\nformat binary_little_endian" + start;
+  CHECK(ascii.str() == "ply\nformat ascii" + plain +
+                           "-1.5 1234.5 1e-20 0.25 1e+20 0.1 0.375 0.35355338 0.75 0.5 1007 1234567 1 4 13 1\n"
+                           "0 0 0 0.5 0 0 0.125 0.70710677 0 1 0 0 2 1 0 0\n");
+  const std::vector<std::array<std::uint8_t, 3>> colours = {{{255, 0, 7}}, {{1, 2, 3}}};
+  std::ostringstream coloured;
+  IO::write_ply(coloured, features(), false, colours);
+  CHECK(coloured.str() == "ply\nformat ascii" + start +
+                              "property uchar red\nproperty uchar green\nproperty uchar blue\nend_header\n"
+                              "-1.5 1234.5 1e-20 0.25 1e+20 0.1 0.375 0.35355338 0.75 0.5 1007 1234567 1 4 13 1 255 0 7\n"
+                              "0 0 0 0.5 0 0 0.125 0.70710677 0 1 0 0 2 1 0 0 1 2 3\n");
+  CHECK_THROWS(Option_error, IO::write_ply(coloured, features(), false, {{{1, 2, 3}}}), "1 colours for 2 features");
+  std::string expected = "ply\nformat binary_little_endian" + plain;
+  std::uint32_t rank = 0;
   for (const Feature& f : features()) {
     for (double x : {f.position[0], f.position[1], f.position[2], f.sigma, f.tau, f.time, f.strength, f.radius(), f.amplitude, f.fit})
       expected += little_endian(float(x));
     expected += little_endian(std::uint32_t(f.frame)) + little_endian(std::uint32_t(f.vertex_index));
-    expected += little_endian(std::uint32_t(f.place)) + little_endian(f.parent == Feature::none ? std::uint32_t(-1) : std::uint32_t(f.parent));
+    expected += little_endian(++rank) + little_endian(std::uint32_t(f.place + 1));
+    expected += little_endian(f.parent == Feature::none ? std::uint32_t(0) : std::uint32_t(f.parent + 1));
+    expected += f.at_scale_limit ? '\1' : '\0';
   }
   std::ostringstream binary;
   IO::write_ply(binary, features());
   CHECK(binary.str() == expected);
+  std::ostringstream both;
+  IO::write_ply(both, features(), true, colours);
+  CHECK(both.str().size() == expected.size() + std::string("property uchar red\nproperty uchar green\nproperty uchar blue\n").size() + 6);
+  CHECK(both.str().substr(both.str().size() - 3) == "\1\2\3");
 
   std::list<Feature> large = features();
   large.front().vertex_index = std::size_t(1) << 31;

@@ -35,6 +35,7 @@ int main()
   #include <limits>
   #include <sstream>
   #include <string>
+  #include <utility>
   #include <vector>
 
 using namespace CGAL::Animated_mesh_features;
@@ -171,6 +172,7 @@ struct Decoded
   std::vector<std::vector<Point>> frames;
   std::vector<Point> rest; // wherever it is
   std::vector<std::vector<std::vector<double>>> fields;
+  std::vector<std::size_t> vertices; // of the scene, that are in the page
 
   double operator[](const std::string& name) const { return number(description, name); }
 };
@@ -191,6 +193,12 @@ Decoded decoded(const std::string& html)
   const std::size_t n = std::size_t(d["vertices"]), m = std::size_t(d["faces"]);
   const std::size_t kept = d.description.get_child("kept_frames").size();
 
+  for (std::size_t v = 0; v < n; ++v) d.vertices.push_back(v);
+  if (d.description.count("all_vertices") > 0) {
+    std::vector<unsigned> names = numbers(html, "scene-vertices", n, 4);
+    for (std::size_t i = 1; i < n; ++i) names[i] += names[i - 1];
+    d.vertices.assign(names.begin(), names.end());
+  }
   std::vector<unsigned> corners = numbers(html, "scene-faces", 3 * m, 4);
   for (std::size_t i = 1; i < corners.size(); ++i) corners[i] += corners[i - 1];
   for (std::size_t i = 0; i < m; ++i) d.faces.push_back({{corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]}});
@@ -241,12 +249,16 @@ Decoded decoded(const std::string& html)
   std::size_t index = 0;
   for (const auto& field : d.description.get_child("fields")) {
     const double min = number(field.second, "min"), max = number(field.second, "max");
+    const double largest = number(field.second, "largest"), top = number(field.second, "top_level");
+    const auto value = [&](double level) {
+      return level <= top ? min + (max - min) * level / top : max + (largest - max) * (level - top) / (255 - top);
+    };
     const auto levels =
         unpredicted(numbers(html, "scene-field-" + std::to_string(index++), n * kept, 1), 1, 0xff, kept);
     std::vector<std::vector<double>> values;
     for (const auto& frame : levels) {
       std::vector<double> row;
-      for (unsigned level : frame[0]) row.push_back(min + (max - min) * level / 255);
+      for (unsigned level : frame[0]) row.push_back(value(level));
       values.push_back(row);
     }
     d.fields.push_back(values);
@@ -351,10 +363,12 @@ void test_what_is_written(double travel)
   double largest_of_field = 0;
   for (std::size_t f = 0; f < 5; ++f)
     for (std::size_t v = 0; v < field.number_of_rows(); ++v) {
-      largest_of_field = (std::max)(largest_of_field, std::abs((std::min)(field(v, f), max) - d.fields[0][f][v]));
+      if (field(v, f) <= max) largest_of_field = (std::max)(largest_of_field, std::abs(field(v, f) - d.fields[0][f][v]));
       CHECK(d.fields[1][f][v] == 0);
     }
-  CHECK(largest_of_field <= (max - min) / 510 * (1 + 1e-9));
+  CHECK(largest_of_field <= (max - min) / 446 * (1 + 1e-9));
+  CHECK_NEAR(d.fields[0][2][4], 1000, 1e-9); // and in coarser steps above
+  CHECK_NEAR(d["mean_edge_length"], sequence.rest_shape().mean_edge_length(), 0);
 
   CHECK(d.description.get_child("features").size() == 2);
   const ptree& second = d.description.get_child("features").back().second;
@@ -384,24 +398,126 @@ void test_fewer_frames()
 
   // as the limits tell
   options = Programs::Html_options();
-  CHECK(Programs::html_frame_step(9346, 48, options) == 1);
+  CHECK(Programs::html_sampling(9346, 48, options).frame_step == 1);
   options.most_positions = 100 * 50;
   options.fewest_frames = 24;
-  CHECK(Programs::html_frame_step(100, 50, options) == 1);
-  CHECK(Programs::html_frame_step(100, 51, options) == 2);
-  CHECK(Programs::html_frame_step(100, 151, options) == 4);
-  CHECK(Programs::html_frame_step(208, 1000, options) == 42);
-  CHECK_THROWS(Option_error, Programs::html_frame_step(209, 1000, options),
+  CHECK(Programs::html_sampling(100, 50, options).frame_step == 1);
+  CHECK(Programs::html_sampling(100, 51, options).frame_step == 2);
+  CHECK(Programs::html_sampling(100, 151, options).frame_step == 4);
+  CHECK(Programs::html_sampling(208, 1000, options).frame_step == 42);
+  CHECK_THROWS(Option_error, Programs::html_sampling(209, 1000, options),
                "209 vertices leave room for 23 of its 1000 frames");
-  CHECK_THROWS(Option_error, Programs::html_frame_step(5001, 3, options), "leave room for 0 of its 3 frames");
-  CHECK(Programs::html_frame_step(1000, 5, options) == 1);
+  CHECK_THROWS(Option_error, Programs::html_sampling(5001, 3, options), "leave room for 0 of its 3 frames");
+  CHECK(Programs::html_sampling(1000, 5, options).frame_step == 1);
   options.frame_step = 3;
-  CHECK(Programs::html_frame_step(5001, 30, options) == 3);
+  CHECK(Programs::html_sampling(5001, 30, options).frame_step == 3);
   options = Programs::Html_options();
   options.most_positions = mesh.num_vertices() * 12;
   CHECK_THROWS(Option_error, written(scene, options), "too large for a page");
   options.fewest_frames = 10;
   CHECK(decoded(written(scene, options)).frames.size() == 11); // every third one, and the last
+}
+
+// A sheet that folds along its middle, with fewer vertices.
+void test_fewer_vertices()
+{
+  const int columns = 80, rows = 40;
+  const Mesh mesh = sheet(columns, rows);
+  std::vector<std::vector<Point>> points;
+  for (int f = 0; f < 6; ++f) {
+    points.emplace_back();
+    for (auto v : mesh.vertices()) {
+      const Point& p = mesh.point(v);
+      const double off = p.x() - columns / 2, angle = 0.25 * f;
+      points.back().emplace_back(off > 0 ? columns / 2 + off * std::cos(angle) : p.x(), p.y(),
+                                 off > 0 ? off * std::sin(angle) : 0);
+    }
+  }
+  const Sequence sequence(mesh, points, 1. / 25);
+  std::vector<Feature> features = {feature(1000, -0.5), feature(2222, -0.25)};
+  for (Feature& f : features) {
+    for (const auto& t : sequence.rest_shape().triangles())
+      if (t[0] == f.vertex_index || t[1] == f.vertex_index || t[2] == f.vertex_index)
+        std::copy(t.begin(), t.end(), f.triangle.begin());
+    f.barycentric_coordinates = {{0.25, 0.25, 0.5}};
+  }
+  Values field(mesh.num_vertices(), 6);
+  for (std::size_t v = 0; v < field.number_of_rows(); ++v)
+    for (std::size_t f = 0; f < 6; ++f) field(v, f) = double(v);
+  const Scene scene{sequence, features, {{"strain", &field}}, ""};
+  Programs::Html_options options;
+  options.fewest_vertices = 600;
+  options.fewest_frames = 3;
+  options.most_positions = 600 * 6;
+  const Decoded d = decoded(written(scene, options));
+  const std::size_t n = d.vertices.size();
+  CHECK(d["vertices"] == double(n) && n <= 600 && n > 500);
+  CHECK(d["all_vertices"] == double(mesh.num_vertices()) && d["all_faces"] == double(mesh.num_faces()));
+  CHECK(d.description.get_child("kept_frames").size() == 6);
+
+  // vertices of the sheet, exactly where they are
+  for (std::size_t f = 0; f < 6; ++f)
+    for (std::size_t i = 0; i < n; ++i) {
+      CHECK(i == 0 || d.vertices[i] > d.vertices[i - 1]);
+      const double largest = d["largest_error"] * sequence.rest_shape().bounding_box_diagonal();
+      CHECK(CGAL::squared_distance(points[f][d.vertices[i]], d.frames[f][i]) <= largest * largest * 1.001);
+      CHECK_NEAR(d.fields[0][f][i], double(d.vertices[i]), double(mesh.num_vertices()) / 223);
+    }
+
+  // still a disc of the same shape, in all frames: its area is that of the sheet, no triangle is turned over
+  std::vector<std::pair<std::size_t, std::size_t>> edges;
+  for (std::size_t f = 0; f < 6; ++f) {
+    double area = 0;
+    for (const auto& t : d.faces) {
+      const auto normal = CGAL::cross_product(d.frames[f][t[1]] - d.frames[f][t[0]], d.frames[f][t[2]] - d.frames[f][t[0]]);
+      area += std::sqrt(normal.squared_length()) / 2;
+      if (f == 0) CHECK(normal.z() > 0);
+    }
+    CHECK_NEAR(area, columns * rows, 1e-3 * columns * rows);
+  }
+  for (const auto& t : d.faces)
+    for (std::size_t c = 0; c < 3; ++c) edges.emplace_back(t[c], t[(c + 1) % 3]);
+  std::sort(edges.begin(), edges.end());
+  CHECK(std::adjacent_find(edges.begin(), edges.end()) == edges.end()); // an oriented manifold
+  std::size_t border = 0;
+  for (const auto& e : edges)
+    border += std::binary_search(edges.begin(), edges.end(), std::make_pair(e.second, e.first)) ? 0 : 1;
+  CHECK(border == 2 * (columns + rows)); // borders stay
+  CHECK(n + d.faces.size() - (edges.size() + border) / 2 == 1); // Euler's characteristic of a disc
+
+  // places of features on what is left
+  std::size_t i = 0;
+  CHECK(d.description.get_child("places").size() == 2);
+  for (const auto& place : d.description.get_child("places")) {
+    const std::vector<double> triangle = array(place.second.get_child("triangle"));
+    const std::vector<double> weights = array(place.second.get_child("barycentric_coordinates"));
+    CHECK_NEAR(weights[0] + weights[1] + weights[2], 1, 1e-12);
+    for (std::size_t f = 0; f < 6; ++f) {
+      Eigen::Vector3d there(0, 0, 0), here(0, 0, 0);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const Point& p = points[f][features[i].triangle[c]];
+        const Point& q = d.frames[f][std::size_t(triangle[c])];
+        there += features[i].barycentric_coordinates[c] * Eigen::Vector3d(p.x(), p.y(), p.z());
+        here += weights[c] * Eigen::Vector3d(q.x(), q.y(), q.z());
+      }
+      CHECK_NEAR((there - here).norm(), 0, 0.02);
+    }
+    ++i;
+  }
+  CHECK(written(scene, options) == written(scene, options));
+  options.fewest_vertices = mesh.num_vertices(); // frames are left out before vertices
+  options.most_positions = mesh.num_vertices() * 4;
+  const Decoded all = decoded(written(scene, options));
+  CHECK(all.vertices.size() == mesh.num_vertices() && all.description.get_child("kept_frames").size() == 4);
+
+  // as the limits tell
+  options = Programs::Html_options();
+  const Programs::Html_sampling large = Programs::html_sampling(100000, 300), larger = Programs::html_sampling(1000000, 1000);
+  CHECK(large.vertices == 26666 && large.frame_step == 1);
+  CHECK(larger.vertices == 25000 && larger.frame_step == 4);
+  CHECK(Programs::html_sampling(8000, 1000).vertices == 8000);
+  options.frame_step = 1;
+  CHECK(Programs::html_sampling(100000, 300, options).vertices == 100000);
 }
 
 void test_bad_input()
@@ -440,6 +556,7 @@ int main()
   test_what_is_written(0);
   test_what_is_written(5000);
   test_fewer_frames();
+  test_fewer_vertices();
   test_bad_input();
   test_a_point();
   return test_result();

@@ -27,7 +27,7 @@ fi
 "$generator" figure --vertices 1500 --fps 15 -o small >/dev/null || exit 1
 options=()
 "$program" --help | grep -q -- '--glb' && options=(--glb small.glb)
-if ! "$program" small.obj small.pc2 --fps 15 -q -o small.json --html small.html "${options[@]}" \
+if ! "$program" small.obj small.pc2 --fps 15 -q -o small.json -o small.csv --html small.html "${options[@]}" \
        --write-field strain:strain.npy 2>err; then
   cat err
   grep -q "built without the viewer" err && skip "the program has no viewer"

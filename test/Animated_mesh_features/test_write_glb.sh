@@ -19,6 +19,18 @@ enter_empty_folder
 # without features: the surface alone
 "$program" c.obj c.pc2 --threshold 1e6 --quiet --glb nothing.glb || exit 1
 
+# read again, it is the body alone, with the same features; a program without the reader says so
+if "$program" scene.glb --fps 10 --rest first -o again.json 2>err >/dev/null; then
+  python3 - <<'PYTHON' || exit 1
+import json
+there, again, said = json.load(open("features.json")), json.load(open("again.json")), open("err").read()
+assert again["animation"]["vertices"] == there["animation"]["vertices"], again["animation"]
+assert "%d spheres left out: features" % len(there["features"]) in said, said
+PYTHON
+else
+  grep -qE "built without|cannot read" err || { cat err; exit 1; }
+fi
+
 command -v npm >/dev/null || skip "what is in the file was compared, but it was not validated, which needs npm"
 mkdir npm && cp "$tests"/scene_files/package*.json npm/ || exit 1
 npm ci --prefix npm --ignore-scripts --no-audit --no-fund --loglevel=error >npm.log 2>&1 ||

@@ -21,4 +21,17 @@ enter_empty_folder
 "$generator" figure --vertices 1000 --fps 10 -o c >/dev/null &&
   "$program" c.obj c.pc2 --fps 10 --rest first --quiet -o features.json --vtk scene --write-field strain:strain.npy \
     --write-field curvature:curvature.npy --write-field deformation:deformation.npy &&
-  "$python" "$tests/scene_files/check_vtk.py" scene c features.json
+  "$python" "$tests/scene_files/check_vtk.py" scene c features.json || exit 1
+
+# the script for ParaView, where that is
+pvpython="$(command -v pvpython)"
+if [[ -n "$pvpython" ]]; then
+  if ! timeout 120 "$pvpython" --force-offscreen-rendering scene/show_in_paraview.py picture.png 0.5 >pvpython.log 2>&1 &&
+     ! timeout 120 xvfb-run -a "$pvpython" scene/show_in_paraview.py picture.png 0.5 >pvpython.log 2>&1; then
+    cat pvpython.log
+    exit 1
+  fi
+  # an empty picture is a few thousand bytes
+  [[ -s picture.png && "$(stat -c %s picture.png)" -gt 10000 ]] || { echo "failed: ParaView's picture is empty"; exit 1; }
+  echo "ParaView opens the scene"
+fi

@@ -4,7 +4,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Lengths along the edges of the rest shape: what a brush reaches.
+// Lengths along the edges of the rest shape: what a brush reaches, and how far two vertices are apart.
 
 /** A binary heap of vertices by distance. */
 class Heap {
@@ -80,5 +80,22 @@ export class EdgeGraph {
       }
     }
     return done;
+  }
+
+  /** The length of the shortest path between two vertices, Infinity if there is none. At most N log N. */
+  distance(from, to) {
+    const heap = new Heap(), done = new Uint8Array(this.points.length / 3);
+    heap.push(0, from);
+    while (heap.items.length > 0) {
+      const [distance, v] = heap.pop();
+      if (v === to) return distance;
+      if (done[v]) continue;
+      done[v] = 1;
+      for (let i = this.starts[v]; i < this.starts[v + 1]; ++i) {
+        const w = this.ends[i];
+        if (!done[w]) heap.push(distance + this.length(v, w), w);
+      }
+    }
+    return Infinity;
   }
 }

@@ -6,18 +6,31 @@
 
 // The page: reads the scene, puts the parts together, and lets time pass.
 
+import { Address } from "./address.js";
 import { MAPS, durationColor, durationScale, gradient, mapColor, useColors } from "./colors.js";
+import { Curve } from "./curve.js";
+import { Filter, FilterForm, NO_BOUNDS } from "./filters.js";
 import { count, seconds, short } from "./format.js";
+import { Hover, nearestCorner } from "./hover.js";
 import { listen } from "./keyboard.js";
+import { Measure } from "./measure.js";
+import { Overlay } from "./overlay.js";
 import { Painter } from "./painter.js";
+import { caption, composed } from "./picture.js";
 import { Player } from "./player.js";
+import { csvText, fileName, jsonText, save } from "./saving.js";
 import { Scene } from "./scene.js";
 import { Stage } from "./stage.js";
 import { State } from "./state.js";
 import { Details, Table } from "./table.js";
 import { Timeline } from "./timeline.js";
 
+const CLEAR_SURFACES = [1, 0.6, 0.3];
+
 const LONGEST_STEP = 0.25; // s; a page in the background gets no animation frames, and goes on where it was
+
+/** Members of the state that a check box of the same name shows. */
+const TOGGLES = ["hidden", "wires", "follow", "loop", "features", "labels", "trail"];
 
 const $ = (id) => document.getElementById(id);
 
@@ -31,21 +44,34 @@ class Viewer {
     const isStill = matchMedia("(prefers-reduced-motion: reduce)").matches;
     this.state = new State({
       time: 0, playing: !isStill, speed: 1, loop: true, threshold: this.weakest, selected: -1,
-      field: scene.fields.length > 0 ? 0 : -1, map: MAPS[0], theme: "", hidden: true, wires: false, follow: false, up: "y",
+      field: scene.fields.length > 0 ? 0 : -1, map: MAPS[0], theme: "", hidden: true, wires: false, follow: true, up: "y",
+      shown: [], bounds: NO_BOUNDS, limits: "all", sort: "rank", grouped: this.hasPlaces(), probe: -1, labels: true, trail: true,
+      opacity: 1, measuring: false, measureFrom: -1, measureTo: -1,
       features: true, painting: false, tool: "paint", brush: 0.04, span: 0.5, strokes: [],
     });
     this.scale = durationScale(scene.features);
     this.setTheme(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
     this.drawn = 0;
+    this.filter = new Filter(scene, this.state);
     this.makeStage();
+    this.measure = new Measure({
+      section: $("measuring"), inputs: [$("measure-from"), $("measure-to")], result: $("measured"), button: $("measure"), close: $("close-measuring"),
+    }, scene, this.state);
     this.player = new Player({ play: $("play"), slider: $("time"), speed: $("speed"), clock: $("clock") }, scene, this.state);
     this.timeline = new Timeline($("timeline"), scene, this.state, this.scale, (i) => this.go(i));
-    new Table($("rows"), $("note"), scene, this.state, this.scale, (i) => this.go(i));
-    new Details($("details"), scene, this.state);
+    this.curve = new Curve({
+      section: $("probe"), canvas: $("curve"), input: $("probe-vertex"), text: $("probe-text"), links: $("probe-links"), linksLabel: $("probe-near"),
+      close: $("close-probe"),
+    }, scene, this.state, this.scale, (i) => this.go(i));
+    new FilterForm({ rows: $("bounds"), limits: $("limits"), clear: $("clear-filters"), summary: $("filters-active") }, scene, this.state);
+    this.table = new Table({ head: $("heads"), body: $("rows"), note: $("note"), grouped: $("grouped") }, scene, this.state, this.scale, (i) => this.go(i));
+    new Details($("details"), scene, this.state, (i) => this.go(i));
     this.painter = new Painter(scene, this.state, this.stage);
     this.describe();
     this.connect();
     listen(this, $("shortcuts"));
+    if (this.stage) this.addPointer();
+    this.address = new Address(this);
     this.last = performance.now();
     requestAnimationFrame((now) => this.tick(now));
   }
@@ -60,17 +86,45 @@ class Viewer {
     }
   }
 
+  /** Whether some features are at the same place. */
+  hasPlaces() {
+    const places = this.scene.features.map((f) => f.place).filter((place) => place !== undefined);
+    return new Set(places).size < places.length;
+  }
+
+  /** What the pointer does on the stage, besides turning and painting. */
+  addPointer() {
+    const { stage, state } = this;
+    this.hover = new Hover($("tip"), this.scene, state, stage);
+    this.overlay = new Overlay($("overlay"), this);
+    stage.onDrawn = () => this.overlay.draw();
+    stage.onClick = (x, y, isShifted) => this.click(x, y, isShifted);
+  }
+
+  /** A sphere is selected; the surface, or with the shift key what is within a sphere, shows its curve. */
+  click(x, y, isShifted) {
+    const { stage, state } = this, { painting, measuring } = state.values;
+    if (painting) return;
+    const hit = stage.surfaceAt(x, y);
+    if (measuring) {
+      if (hit) this.measure.take(hit);
+      return;
+    }
+    const i = isShifted ? -1 : stage.featureAt(x, y);
+    if (i >= 0) state.set({ selected: i });
+    else state.set({ selected: -1, probe: hit ? nearestCorner(hit) : -1 });
+  }
+
   /** All that is said about the scene once. */
   describe() {
     const { scene } = this;
     document.title = scene.title ? `${scene.title} – features` : "Features of an animated mesh";
     $("title").textContent = scene.title || "Animated mesh";
-    const kept = scene.kept_frames.length;
-    const thinned = kept < scene.frames ? ` Of ${scene.frames} frames, every ${scene.kept_frames[1]}th is here (${kept}); between them, it is linear.` : "";
-    $("precision").textContent = `Positions are rounded by at most ${short(scene.largest_error, 2)} of the bounding-box diagonal.${thinned}`;
-    $("thinned").hidden = thinned === "";
-    $("thinned").textContent = `1 of ${scene.kept_frames[1]} frames`;
-    $("thinned").title = thinned.trim();
+    const thinned = this.thinning();
+    $("precision").textContent = [`Positions are rounded by at most ${short(scene.largest_error, 2)} of the bounding-box diagonal.`, ...thinned.map(({ sentence }) => sentence)].join(" ");
+    $("thinned").hidden = thinned.length === 0;
+    $("thinned").textContent = thinned.map(({ badge }) => badge).join(", ");
+    $("thinned").title = thinned.map(({ sentence }) => sentence).join(" ");
     for (const [i, field] of scene.fields.entries()) $("field").append(new Option(field.name[0].toUpperCase() + field.name.slice(1), `${i}`));
     $("field").append(new Option("None", "-1"));
     for (const map of MAPS) $("map").append(new Option(map[0].toUpperCase() + map.slice(1), map));
@@ -81,6 +135,23 @@ class Viewer {
     $("longest").textContent = `${short(max, 2)} s`;
   }
 
+  /** What of the animation is not here: in a badge, and in a sentence. */
+  thinning() {
+    const { scene } = this, kept = scene.kept_frames.length, result = [];
+    const number = (n) => n.toLocaleString("en");
+    if (scene.isThinned)
+      result.push({
+        badge: `${number(scene.vertices)} of ${number(scene.all_vertices)} vertices`,
+        sentence: `Of ${number(scene.all_vertices)} vertices, ${number(scene.vertices)} are here, fewer where the surface is flat; features are those of all of them. Painting needs all of them.`,
+      });
+    if (kept < scene.frames)
+      result.push({
+        badge: `1 of ${scene.kept_frames[1]} frames`,
+        sentence: `Of ${scene.frames} frames, every ${scene.kept_frames[1]}th is here (${kept}); between them, it is linear.`,
+      });
+    return result;
+  }
+
   connect() {
     const { state } = this;
     $("threshold").min = `${this.weakest}`;
@@ -89,12 +160,17 @@ class Viewer {
     $("threshold").addEventListener("input", () => state.set({ threshold: this.thresholdOf($("threshold")) }));
     $("field").addEventListener("change", () => state.set({ field: Number($("field").value) }));
     $("map").addEventListener("change", () => state.set({ map: $("map").value }));
-    for (const name of ["hidden", "wires", "follow", "loop", "features"])
+    for (const name of TOGGLES)
       $(name).addEventListener("change", () => state.set({ [name]: $(name).checked }));
     $("theme").addEventListener("click", () => this.toggleTheme());
     $("help").addEventListener("click", () => this.toggleHelp());
     $("reset").addEventListener("click", () => this.stage?.resetView());
     $("save").addEventListener("click", () => this.savePicture());
+    $("opacity").addEventListener("input", () => state.set({ opacity: Number($("opacity").value) }));
+    $("save-csv").addEventListener("click", () => this.saveTable("csv"));
+    $("save-json").addEventListener("click", () => this.saveTable("json"));
+    $("save-feature").addEventListener("click", () => this.saveSelected());
+    $("show-curve").addEventListener("click", () => this.probeSelected());
     $("close-details").addEventListener("click", () => state.set({ selected: -1 }));
     $("approach").addEventListener("click", () => this.approach());
     $("help-dialog").addEventListener("click", (event) => {
@@ -114,24 +190,28 @@ class Viewer {
   show(changed) {
     const { scene } = this, s = this.state.values;
     if ("features" in changed) {
-      const facts = [count(scene.vertices, "vertex", "vertices"), count(scene.frames, "frame"), seconds(scene.duration)];
+      const facts = [count(scene.all_vertices, "vertex", "vertices"), count(scene.frames, "frame"), seconds(scene.duration)];
       if (s.features) facts.push(count(scene.features.length, "feature"));
       $("facts").textContent = facts.join(" · ");
       for (const id of ["features-card", "features-table"]) $(id).hidden = !s.features;
     }
-    if ("threshold" in changed) {
-      const n = scene.features.filter((f) => f.strength >= s.threshold).length;
+    if ("threshold" in changed || "shown" in changed) {
+      const n = s.shown.filter(Boolean).length;
       $("threshold").value = `${s.threshold}`;
       $("threshold-value").textContent = short(s.threshold);
       $("count").textContent = `${n} of ${scene.features.length}`;
       $("threshold").setAttribute("aria-valuetext", `${short(s.threshold)}: ${n} of ${scene.features.length} features shown`);
-      if (s.selected >= 0 && scene.features[s.selected].strength < s.threshold) this.state.set({ selected: -1 });
+      for (const id of ["save-csv", "save-json"]) $(id).disabled = n === 0;
+    }
+    if ("opacity" in changed) {
+      $("opacity").value = `${s.opacity}`;
+      $("opacity").setAttribute("aria-valuetext", `${Math.round(100 * s.opacity)} percent`);
     }
     if ("field" in changed || "map" in changed) this.showLegend();
-    for (const name of ["hidden", "wires", "follow", "loop", "features"]) if (name in changed) $(name).checked = s[name];
+    for (const name of TOGGLES) if (name in changed) $(name).checked = s[name];
     if ("selected" in changed) {
       const f = scene.features[s.selected];
-      $("announcement").textContent = f ? `Feature ${s.selected + 1} selected: strength ${short(f.strength)}, at ${f.time.toFixed(2)} seconds, vertex ${f.vertex}` : "";
+      $("announcement").textContent = f ? `Feature ${f.rank} selected: strength ${short(f.strength)}, at ${f.time.toFixed(2)} seconds, vertex ${f.vertex}` : "";
     }
   }
 
@@ -158,11 +238,25 @@ class Viewer {
     this.state.set({ time: Math.min(Math.max(f.time, 0), this.scene.duration), playing: false, selected: i });
   }
 
+  /** Goes on in the order of the table. */
   next(by) {
-    const shown = this.scene.features.map((_, i) => i).filter((i) => this.scene.features[i].strength >= this.state.values.threshold);
-    if (shown.length === 0) return;
-    const at = shown.indexOf(this.state.values.selected);
-    this.go(shown[at < 0 ? 0 : Math.min(Math.max(at + by, 0), shown.length - 1)]);
+    const { order } = this.table;
+    if (order.length === 0) return;
+    const at = order.indexOf(this.state.values.selected);
+    this.go(order[at < 0 ? 0 : Math.min(Math.max(at + by, 0), order.length - 1)]);
+  }
+
+  /** The curve of the selected feature's vertex; if that is there already, or nothing is selected, none. */
+  probeSelected() {
+    const f = this.scene.features[this.state.values.selected];
+    if (this.state.values.painting) return;
+    const v = f === undefined ? -1 : this.scene.vertexOfFeature(f);
+    this.state.set({ probe: v === this.state.values.probe ? -1 : v });
+  }
+
+  nextOpacity() {
+    const i = CLEAR_SURFACES.findIndex((x) => x <= this.state.values.opacity);
+    this.state.set({ opacity: CLEAR_SURFACES[(i + 1) % CLEAR_SURFACES.length] });
   }
 
   approach() {
@@ -197,11 +291,25 @@ class Viewer {
 
   async savePicture() {
     if (!this.stage) return;
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(await this.stage.picture());
-    link.download = `${(this.scene.title || "features").replace(/[^\w.-]+/g, "_")}_${this.state.values.time.toFixed(3)}s.png`;
-    link.click();
-    URL.revokeObjectURL(link.href);
+    this.stage.drawFully();
+    const picture = await composed([$("canvas"), $("overlay")], caption(this.scene, this.state.values));
+    save(fileName(this.scene, [`${this.state.values.time.toFixed(3)}s`], "png"), picture);
+  }
+
+  /** What the table lists, in its order. */
+  saveTable(ending) {
+    this.saveFeatures(this.table.order, ["features"], ending);
+  }
+
+  saveSelected() {
+    const { selected } = this.state.values;
+    if (selected >= 0) this.saveFeatures([selected], ["feature", `${this.scene.features[selected].rank}`], "json");
+  }
+
+  saveFeatures(indices, what, ending) {
+    const list = indices.map((i) => this.scene.features[i]), name = fileName(this.scene, what, ending);
+    if (ending === "csv") save(name, csvText(list), "text/csv");
+    else save(name, jsonText(list, this.scene, this.address.text()), "application/json");
   }
 
   tick(now) {
@@ -210,6 +318,8 @@ class Viewer {
     this.player.advance(elapsed);
     this.painter.update();
     if (this.stage?.draw(elapsed, this.state.values.playing)) ++this.drawn;
+    this.hover?.update();
+    this.address.update(now);
     requestAnimationFrame((next) => this.tick(next));
   }
 }

@@ -9,6 +9,7 @@
 import { Brush } from "./brush.js";
 import { count, short } from "./format.js";
 import { Painting } from "./painting.js";
+import { fileName, save } from "./saving.js";
 
 const TOOLS = ["paint", "erase", "turn"];
 const LEAST_BRUSH = 0.005, MOST_BRUSH = 0.25; // of the bounding-box diagonal
@@ -27,7 +28,8 @@ export class Painter {
     Object.assign(this, { scene, state, stage, hiddenField: null, label: $("canvas").getAttribute("aria-label") });
     this.painting = new Painting(scene, state);
     this.brush = stage ? new Brush(scene, state, stage, this.painting) : null;
-    $("paint").hidden = !stage;
+    // strokes are lists of the file's vertices, and not all of them are here
+    $("paint").hidden = !stage || scene.isThinned;
     state.set({ span: Math.min(state.values.span, scene.duration) });
     this.connect();
     state.subscribe((changed) => this.show(changed));
@@ -58,11 +60,11 @@ export class Painter {
 
   /** Painters are not to see what was found, unless they ask. */
   toggle() {
-    if (!this.stage) return;
+    if ($("paint").hidden) return;
     const { painting, field } = this.state.values;
     if (!painting) {
       this.hiddenField = field;
-      this.state.set({ painting: true, features: false, selected: -1, field: -1 });
+      this.state.set({ painting: true, features: false, selected: -1, field: -1, probe: -1, measuring: false });
     } else {
       this.state.set({ painting: false, features: true, field: field < 0 ? this.hiddenField : field });
     }
@@ -96,13 +98,10 @@ export class Painter {
       this.say("Who paints? A name or any word that tells painters apart is needed in the file.", true);
       return $("painter").focus();
     }
-    const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([this.painting.text(painter)], { type: "application/json" }));
-    link.download = `${[this.scene.title || "animation", "painting", painter].join("_").replace(/[^\p{L}\p{N}.-]+/gu, "_")}.json`;
-    link.click();
-    URL.revokeObjectURL(link.href);
+    const name = fileName(this.scene, ["painting", painter], "json");
+    save(name, this.painting.text(painter), "application/json");
     this.painting.saved = this.painting.strokes;
-    this.say(`Saved as ${link.download}.`);
+    this.say(`Saved as ${name}.`);
   }
 
   async load() {

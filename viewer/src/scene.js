@@ -33,10 +33,11 @@ function numbersOfPlanes(planes, width) {
   return numbers;
 }
 
-function decodedFaces(planes) {
-  const faces = Uint32Array.from(numbersOfPlanes(planes, 4));
-  for (let i = 1; i < faces.length; ++i) faces[i] += faces[i - 1];
-  return faces;
+/** Whole numbers that are written as differences, each from the one before. */
+function summed(planes) {
+  const numbers = Uint32Array.from(numbersOfPlanes(planes, 4));
+  for (let i = 1; i < numbers.length; ++i) numbers[i] += numbers[i - 1];
+  return numbers;
 }
 
 /** For each vertex the neighbour from which it is predicted. */
@@ -76,6 +77,9 @@ function addPrediction(residuals, from, parents, mask, before, now, stride, firs
   }
 }
 
+/** The standard deviation of the smoothing of the body's way, seconds. */
+const FOLLOWING = 0.2;
+
 /** An array of four 16-bit numbers a vertex for each frame: three coordinates, and room for the value of a field. */
 export const VERTEX_STRIDE = 4;
 
@@ -84,7 +88,8 @@ export const VERTEX_STRIDE = 4;
  * - `faces`: three vertices for each triangle,
  * - `rest`: three coordinates of each vertex in the rest shape, up to where that is in space,
  * - `positions[k]`: the grid numbers in the k-th kept frame, VERTEX_STRIDE for each vertex,
- * - `fields[i].values[k]`: 0 to 255 for each vertex.
+ * - `fields[i].values[k]`: 0 to 255 for each vertex; `value()` tells what that is,
+ * - `features[i].on`: the place of a feature on the page's surface, which may have fewer vertices than the file's.
  */
 export class Scene {
   static async read(document) {
@@ -95,6 +100,11 @@ export class Scene {
     };
     const scene = new Scene();
     Object.assign(scene, JSON.parse(text("scene")));
+    scene.features.forEach((f, i) => {
+      f.rank ??= i + 1;
+      f.on = scene.places?.[i] ?? { triangle: f.triangle, barycentric_coordinates: f.barycentric_coordinates };
+    });
+    for (const field of scene.fields) field.top_level ??= 255;
     const bytes = (id, size) => decompressed(bytesOfBase64(text(id)), size);
 
     const n = scene.vertices, kept = scene.kept_frames.length;
@@ -103,7 +113,11 @@ export class Scene {
     const restBytes = bytes("scene-rest", 6 * n);
     const fieldBytes = scene.fields.map((_, i) => bytes(`scene-field-${i}`, n * kept));
 
-    scene.faces = decodedFaces(await faceBytes);
+    scene.isThinned = scene.all_vertices !== undefined;
+    scene.all_vertices ??= n;
+    scene.all_faces ??= scene.faces;
+    if (scene.isThinned) scene.names = summed(await bytes("scene-vertices", 4 * n));
+    scene.faces = summed(await faceBytes);
     const parents = parentsOf(scene.faces, n);
     const residuals = numbersOfPlanes(await positionBytes, 2);
     scene.positions = [];
@@ -151,6 +165,83 @@ export class Scene {
     });
     this.box = { min: low, max: high };
     this.centre = low.map((x, c) => (x + high[c]) / 2);
+    this.centres = this.smoothCentres();
+  }
+
+  /**
+   * Where the body is in each kept frame: the mean of its vertices, in the coordinates of the stage, smoothed in time, so
+   * that what follows it does not tremble with each step.
+   */
+  smoothCentres() {
+    const means = this.positions.map((numbers, k) => {
+      const sum = [0, 0, 0];
+      for (let i = 0; i < numbers.length; i += VERTEX_STRIDE) for (let c = 0; c < 3; ++c) sum[c] += numbers[i + c];
+      return this.offset(k).map((x, c) => x + (this.step * sum[c]) / this.vertices);
+    });
+    const time = (k) => this.kept_frames[k] * this.frame_duration;
+    return means.map((_, k) => {
+      const total = [0, 0, 0];
+      let weights = 0;
+      for (const by of [-1, 1])
+        for (let j = by > 0 ? k : k - 1; j >= 0 && j < means.length && Math.abs(time(j) - time(k)) <= 3 * FOLLOWING; j += by) {
+          const weight = Math.exp(-0.5 * ((time(j) - time(k)) / FOLLOWING) ** 2);
+          weights += weight;
+          for (let c = 0; c < 3; ++c) total[c] += weight * means[j][c];
+        }
+      return total.map((x) => x / weights);
+    });
+  }
+
+  /** The smoothed centre at a time. */
+  centreAt(time) {
+    const { from, to, share } = this.interval(time);
+    return this.centres[from].map((x, c) => x + share * (this.centres[to][c] - x));
+  }
+
+  /** The value of a field at vertex `v` in the k-th kept frame. */
+  value(field, v, k) {
+    const level = field.values[k][v], { min, max, largest, top_level: top } = field;
+    return level <= top ? min + (level / top) * (max - min) : max + ((level - top) / (255 - top)) * (largest - max);
+  }
+
+  /** The same at a time, linear between frames. */
+  valueAt(field, v, time) {
+    const { from, to, share } = this.interval(time), a = this.value(field, v, from);
+    return a + share * (this.value(field, v, to) - a);
+  }
+
+  /** A point of a triangle in the rest shape; three coordinates, up to where that is in space. */
+  restPoint(triangle, barycentric) {
+    return [0, 1, 2].map((c) => triangle.reduce((sum, v, i) => sum + barycentric[i] * this.rest[3 * v + c], 0));
+  }
+
+  /** What a vertex of the page is called in the file. */
+  vertexName(v) {
+    return this.names?.[v] ?? v;
+  }
+
+  /** The vertex of the page that has a number in the file, or -1. */
+  vertexOf(name) {
+    if (!Number.isInteger(name) || name < 0 || name >= this.all_vertices) return -1;
+    if (!this.names) return name;
+    let low = 0, high = this.names.length;
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if (this.names[middle] < name) low = middle + 1;
+      else high = middle;
+    }
+    return this.names[low] === name ? low : -1;
+  }
+
+  /** The vertex of a feature, or the nearest one that is on the page. */
+  vertexOfFeature(f) {
+    const v = this.vertexOf(f.vertex), { triangle, barycentric_coordinates: weights } = f.on;
+    return v >= 0 ? v : triangle[weights.indexOf(Math.max(...weights))];
+  }
+
+  /** Where a vertex is at a time, in the input's coordinates. */
+  vertexPlace(v, time) {
+    return this.placeOn({ triangle: [v, v, v], barycentric_coordinates: [1, 0, 0] }, time);
   }
 
   /** What has to be added to the step times a number of the k-th kept frame, measured from the centre. */
@@ -175,11 +266,15 @@ export class Scene {
 
   /** The place of a feature on the surface at a time, in the input's coordinates. */
   place(feature, time) {
+    return this.placeOn(feature.on, time);
+  }
+
+  placeOn({ triangle, barycentric_coordinates: weights }, time) {
     const { from, to, share } = this.interval(time);
     const place = [0, 0, 0];
-    feature.triangle.forEach((v, i) => {
+    triangle.forEach((v, i) => {
       const a = this.position(v, from), b = this.position(v, to);
-      for (let c = 0; c < 3; ++c) place[c] += feature.barycentric_coordinates[i] * (a[c] + share * (b[c] - a[c]));
+      for (let c = 0; c < 3; ++c) place[c] += weights[i] * (a[c] + share * (b[c] - a[c]));
     });
     return place;
   }

@@ -29,7 +29,7 @@ const VERTEX_SHADER = /* glsl */ `
 
 // Clear in the middle, so that the surface is seen, and full at the rim.
 const FRAGMENT_SHADER = /* glsl */ `
-  uniform float strength;
+  uniform float strength, marked;
   varying vec3 vNormal, vView;
   varying vec4 vTint;
   varying float vMark;
@@ -42,12 +42,12 @@ const FRAGMENT_SHADER = /* glsl */ `
     float edge = smoothstep(0.42, 0.34, facing) * vMark;
     float alpha = clamp(0.36 + 0.62 * rim + 0.5 * shine + 0.45 * edge, 0.0, 1.0);
     vec3 color = mix(vTint.rgb * (0.86 + 0.22 * n.y) + 0.55 * shine, vec3(1.0, 0.86, 0.25), edge);
-    gl_FragColor = vec4(color, alpha * vTint.a * strength);
+    gl_FragColor = vec4(color, alpha * vTint.a * max(strength, marked * vMark));
   }
 `;
 
-/** Of what is behind the surface, this much is seen. */
-const SEEN_THROUGH = 0.3;
+/** Of what is behind the surface, this much is seen; of what is selected, more, and always. */
+const SEEN_THROUGH = 0.3, SELECTED_THROUGH = 0.7;
 
 export class Spheres {
   constructor(scene, scale) {
@@ -66,16 +66,17 @@ export class Spheres {
       this.geometry.setAttribute(name, attribute);
     }
     this.group = new THREE.Group();
-    this.hidden = this.layer(SEEN_THROUGH, THREE.GreaterDepth, 2);
-    this.layer(1, THREE.LessEqualDepth, 3);
+    this.hidden = this.layer(SEEN_THROUGH, SELECTED_THROUGH, THREE.GreaterDepth, 2);
+    this.layer(1, 1, THREE.LessEqualDepth, 3);
+    this.isThrough = true;
     this.shown = [];
   }
 
-  layer(strength, depthFunc, renderOrder) {
+  layer(strength, marked, depthFunc, renderOrder) {
     const mesh = new THREE.Mesh(
       this.geometry,
       new THREE.ShaderMaterial({
-        uniforms: { strength: { value: strength } },
+        uniforms: { strength: { value: strength }, marked: { value: marked } },
         vertexShader: VERTEX_SHADER,
         fragmentShader: FRAGMENT_SHADER,
         transparent: true,
@@ -89,13 +90,20 @@ export class Spheres {
     return mesh;
   }
 
+  /** Whether those behind the surface are seen, and how well through a surface of that opacity. */
+  setThrough(isThrough, opacity) {
+    this.isThrough = isThrough;
+    this.hidden.material.uniforms.strength.value = isThrough ? Math.max(SEEN_THROUGH, 1 - opacity) : 0;
+    this.hidden.material.uniforms.marked.value = Math.max(SELECTED_THROUGH, 1 - opacity);
+  }
+
   /** Places the spheres that are seen at a time, the farthest first. */
-  update(time, { threshold, selected, features }, camera) {
+  update(time, { shown, selected, features }, camera) {
     this.shown = [];
     this.scene.features.forEach((feature, index) => {
       if (!features) return;
       const opacity = this.scene.opacity(feature, time);
-      if (feature.strength < threshold || (opacity === 0 && index !== selected)) return;
+      if (!shown[index] || (opacity === 0 && index !== selected)) return;
       const centre = this.scene.place(feature, time).map((x, c) => x - this.scene.centre[c]);
       // what is selected stays in sight, however faint, while time goes on
       this.shown.push({ index, feature, centre: new THREE.Vector3(...centre), opacity: index === selected ? Math.max(opacity, 0.25) : opacity });
@@ -121,7 +129,7 @@ export class Spheres {
       const off = ray.distanceToPoint(centre) / feature.radius;
       if (off > 1) continue;
       const isBehind = centre.distanceTo(ray.origin) > reach + feature.radius;
-      if (isBehind && !this.hidden.visible) continue;
+      if (isBehind && !this.isThrough) continue;
       const cost = off + (isBehind ? 2 : 0);
       if (cost < least) {
         least = cost;

@@ -15,6 +15,7 @@ const FIELD_OF_VIEW = 30;
 const SLOW_FRAME = 1 / 28; // s: when frames take longer while something moves, fewer pixels are drawn
 const FAST_FRAME = 1 / 55;
 const LEAST_PIXELS = 0.5;
+const GROUND_CLEARANCE = 0.04; // of the body's size: as low over the ground as the eye goes by itself
 const CLICK_RADIUS = 5; // pixels between press and release: more is a drag
 
 /**
@@ -55,10 +56,10 @@ export class Stage {
     this.pixels = 1;
     this.frameTimes = [];
     this.body = this.bodySize();
-    // A body that walks off is followed.
-    const travel = Math.hypot(...[0, 1, 2].map((c) => scene.box.max[c] - scene.box.min[c]));
-    state.set({ follow: travel > 1.6 * this.body, up: scene.view?.up ?? upAxis(scene.boxes) });
+    state.set({ up: scene.view?.up ?? upAxis(scene.boxes) });
     this.ground = null;
+    this.onClick = () => {}; // what a click without a drag does, where on the canvas; with the shift key?
+    this.onDrawn = () => {};
     this.addPointer();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.resize();
@@ -91,13 +92,14 @@ export class Stage {
     const s = this.state.values;
     if ("time" in changed) {
       this.surface.setTime(s.time);
-      if (s.follow) this.followTo(this.bodyCentre(s.time));
+      if (s.follow) this.followTo(this.followedCentre(s.time));
     }
-    if ("follow" in changed) this.followed = s.follow ? this.bodyCentre(s.time) : null;
+    if ("follow" in changed) this.followed = s.follow ? this.followedCentre(s.time) : null;
     if ("field" in changed) this.surface.setField(s.field);
     if ("map" in changed) this.surface.setMap(s.map);
     if ("wires" in changed) this.surface.wires.visible = s.wires;
-    if ("hidden" in changed) this.spheres.hidden.visible = s.hidden;
+    if ("hidden" in changed || "opacity" in changed) this.spheres.setThrough(s.hidden, s.opacity);
+    if ("opacity" in changed) this.surface.setOpacity(s.opacity);
     if ("up" in changed) this.setUp();
     if ("painting" in changed) this.setButtons();
     if ("theme" in changed) this.setColors();
@@ -162,6 +164,23 @@ export class Stage {
     return new THREE.Vector3(...[0, 1, 2].map((c) => middle(a, c) + share * (middle(b, c) - middle(a, c))));
   }
 
+  followedCentre(time) {
+    return new THREE.Vector3(...this.scene.centreAt(time));
+  }
+
+  /** Where the body is in all frames, seen from where it goes. */
+  followedBox(time) {
+    const now = this.scene.centreAt(time), min = [Infinity, Infinity, Infinity], max = [-Infinity, -Infinity, -Infinity];
+    this.scene.boxes.forEach((box, k) => {
+      for (let c = 0; c < 3; ++c) {
+        const shift = now[c] - this.scene.centres[k][c];
+        min[c] = Math.min(min[c], box.min[c] + shift);
+        max[c] = Math.max(max[c], box.max[c] + shift);
+      }
+    });
+    return { min, max };
+  }
+
   followTo(centre) {
     if (this.followed) {
       const move = centre.clone().sub(this.followed);
@@ -174,8 +193,8 @@ export class Stage {
   /** Shows the whole body, from where the program that made the page says, or from the front and the side, a little above. */
   resetView() {
     const follow = this.state.values.follow, time = this.state.values.time;
-    const box = follow ? this.scene.boxes[this.scene.interval(time).from] : this.scene.box;
-    const target = follow ? this.bodyCentre(time) : new THREE.Vector3();
+    const box = follow ? this.followedBox(time) : this.scene.box;
+    const target = new THREE.Vector3(...box.min.map((x, c) => (x + box.max[c]) / 2 - this.scene.centre[c]));
     const size = box.min.map((x, c) => box.max[c] - x);
     // along the longer horizontal side
     const up = this.state.values.up;
@@ -186,6 +205,7 @@ export class Stage {
       : new THREE.Vector3(isWide ? 0.45 : 1, isWide ? -1 : -0.45, 0.28);
     this.look(target, direction.normalize(), this.distanceFor(box, target, direction));
     this.framed = true;
+    this.touched = false;
   }
 
   /** From how far the box fills the picture. */
@@ -224,16 +244,50 @@ export class Stage {
     const outward = place.clone().sub(this.bodyCentre(time)).normalize();
     const direction = this.camera.position.clone().sub(this.controls.target).normalize();
     if (direction.dot(outward) < 0.2) direction.addScaledVector(outward, 1.2).normalize();
-    this.look(place, direction, Math.max(9 * feature.radius, this.body / 2.5));
+    const distance = Math.max(9 * feature.radius, this.body / 2.5);
+    this.look(place, this.aboveGround(place, direction, distance), distance);
+    this.touched = true;
+  }
+
+  /** The direction, lifted as far as it takes for the eye not to be below the ground. */
+  aboveGround(place, direction, distance) {
+    const up = this.state.values.up === "z" ? "z" : "y", c = up === "z" ? 2 : 1;
+    const lowest = this.scene.box.min[c] - this.scene.centre[c] + GROUND_CLEARANCE * this.body;
+    const least = Math.min((lowest - place[up]) / distance, 0.95);
+    if (direction[up] >= least) return direction;
+    const lifted = direction.clone();
+    lifted[up] = 0;
+    if (lifted.lengthSq() < 1e-12) lifted.x = 1;
+    lifted.setLength(Math.sqrt(1 - least * least));
+    lifted[up] = least;
+    return lifted;
+  }
+
+  /** The eye and what it looks at, against the body while that is followed; null if nobody has moved it. */
+  ownView() {
+    if (!this.touched) return null;
+    const from = this.followed ?? new THREE.Vector3();
+    return [this.camera.position, this.controls.target].flatMap((p) => p.clone().sub(from).toArray());
+  }
+
+  setView(numbers) {
+    const from = this.followed ?? new THREE.Vector3();
+    const [eye, target] = [0, 3].map((i) => new THREE.Vector3(...numbers.slice(i, i + 3)).add(from));
+    const direction = eye.sub(target), distance = direction.length();
+    if (!(distance > 0)) return;
+    this.look(target, direction.normalize(), distance);
+    this.framed = this.touched = true;
   }
 
   zoom(factor) {
+    this.touched = true;
     this.camera.position.sub(this.controls.target).multiplyScalar(factor).add(this.controls.target);
     this.controls.update();
     this.invalidate();
   }
 
   turn(sideways, upwards) {
+    this.touched = true;
     const offset = this.camera.position.clone().sub(this.controls.target);
     const side = new THREE.Vector3().crossVectors(this.camera.up, offset).normalize();
     const angle = offset.angleTo(this.camera.up), margin = 0.05;
@@ -263,12 +317,17 @@ export class Stage {
 
   /** Where on the canvas a feature is: CSS pixels, and the radius of its sphere. */
   project(feature) {
+    const p = this.projectPlace(this.scene.place(feature, this.state.values.time));
+    return { ...p, radius: feature.radius * this.pixelsAt(p.distance) };
+  }
+
+  /** Where on the canvas a place is; `moved`, if any, has the times from and to which it goes along with the body. */
+  projectPlace(coordinates, moved = null) {
     this.camera.updateMatrixWorld();
-    const place = new THREE.Vector3(...this.scene.place(feature, this.state.values.time).map((x, c) => x - this.scene.centre[c]));
-    const distance = place.distanceTo(this.camera.position);
-    const height = this.canvas.clientHeight, p = place.project(this.camera);
-    const radius = feature.radius * this.pixelsAt(distance);
-    return { x: ((p.x + 1) / 2) * this.canvas.clientWidth, y: ((1 - p.y) / 2) * height, radius };
+    const place = new THREE.Vector3(...coordinates.map((x, c) => x - this.scene.centre[c]));
+    if (moved) place.add(this.followedCentre(moved.to)).sub(this.followedCentre(moved.from));
+    const distance = place.distanceTo(this.camera.position), p = place.project(this.camera);
+    return { x: ((p.x + 1) / 2) * this.canvas.clientWidth, y: ((1 - p.y) / 2) * this.canvas.clientHeight, distance, isInFront: p.z < 1 };
   }
 
   /** From the eye through a point of the canvas. */
@@ -285,6 +344,12 @@ export class Stage {
     const ray = this.rayThrough(x, y);
     if (this.spheres.pick(ray, Infinity) < 0) return -1;
     return this.spheres.pick(ray, this.surface.hit(ray, this.state.values.time)?.distance ?? Infinity);
+  }
+
+  /** Whether the surface hides the sphere of a feature. Linear in the triangles. */
+  isCovered(feature) {
+    const p = this.project(feature);
+    return (this.surfaceAt(p.x, p.y)?.distance ?? Infinity) < p.distance - feature.radius;
   }
 
   /** The surface at a point of the canvas, see Surface.hit(). */
@@ -304,7 +369,7 @@ export class Stage {
       const { pressed } = this;
       this.pressed = null;
       if (pressed && Math.hypot(event.offsetX - pressed.x, event.offsetY - pressed.y) < CLICK_RADIUS)
-        this.state.set({ selected: this.featureAt(event.offsetX, event.offsetY) });
+        this.onClick(event.offsetX, event.offsetY, event.shiftKey);
     });
     this.canvas.addEventListener("dblclick", (event) => {
       const i = this.featureAt(event.offsetX, event.offsetY);
@@ -325,6 +390,7 @@ export class Stage {
     this.isStale = false;
     this.spheres.update(this.state.values.time, this.state.values, this.camera);
     this.renderer.render(this.world, this.camera);
+    this.onDrawn();
     return true;
   }
 
@@ -353,11 +419,10 @@ export class Stage {
     this.resize();
   }
 
-  /** A picture of what is seen, at full size, with a transparent background. */
-  picture() {
+  /** Draws what is seen at full size, for a picture. To be called right before the canvas is read. */
+  drawFully() {
     this.isStill = true;
     this.setPixels(1);
     this.draw(0, false);
-    return new Promise((resolve) => this.canvas.toBlob(resolve, "image/png"));
   }
 }

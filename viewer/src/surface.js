@@ -45,6 +45,7 @@ const FRAGMENT_SHADER = /* glsl */ `
   uniform sampler2D map;
   uniform vec3 plain;
   uniform bool hasField;
+  uniform float opacity;
   varying vec3 vNormal, vView;
   varying float vValue;
   varying vec2 vPaint;
@@ -64,7 +65,7 @@ const FRAGMENT_SHADER = /* glsl */ `
     float rim = pow(1.0 - max(dot(n, eye), 0.0), 3.0);
     float shine = pow(max(dot(n, normalize(key + eye)), 0.0), 36.0);
     color = color * light + 0.10 * rim + 0.07 * shine;
-    gl_FragColor = vec4(sqrt(color), 1.0);
+    gl_FragColor = vec4(sqrt(color), opacity);
   }
 `;
 
@@ -111,6 +112,7 @@ export class Surface {
       map: { value: this.map },
       plain: { value: new THREE.Color() },
       hasField: { value: false },
+      opacity: { value: 1 },
     };
     this.geometry = new THREE.BufferGeometry();
     this.geometry.setIndex(new THREE.BufferAttribute(scene.faces, 1));
@@ -121,6 +123,13 @@ export class Surface {
       this.geometry,
       new THREE.ShaderMaterial({ ...parameters, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 }),
     );
+    // under a clear surface: of several layers, the nearest one alone is blended
+    this.depth = new THREE.Mesh(
+      this.geometry,
+      new THREE.ShaderMaterial({ ...parameters, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1, colorWrite: false }),
+    );
+    this.depth.visible = false;
+    this.mesh.add(this.depth);
     this.wires = new THREE.Mesh(
       this.geometry,
       new THREE.ShaderMaterial({
@@ -134,7 +143,7 @@ export class Surface {
     );
     this.wires.visible = false;
     this.wires.renderOrder = 1;
-    for (const mesh of [this.mesh, this.wires]) mesh.frustumCulled = false; // three does not know where the shader puts it
+    for (const mesh of [this.mesh, this.depth, this.wires]) mesh.frustumCulled = false; // three does not know where the shader puts it
     this.setTime(0);
   }
 
@@ -168,9 +177,11 @@ export class Surface {
     const field = this.scene.fields[i];
     this.uniforms.hasField.value = field !== undefined;
     if (field === undefined) return;
+    // above the top of the colours there is no other one
+    const heights = Uint16Array.from({ length: 256 }, (_, level) => Math.round(65535 * Math.min(level / field.top_level, 1)));
     this.scene.positions.forEach((numbers, k) => {
       const values = field.values[k];
-      for (let v = 0; v < values.length; ++v) numbers[VERTEX_STRIDE * v + 3] = 257 * values[v];
+      for (let v = 0; v < values.length; ++v) numbers[VERTEX_STRIDE * v + 3] = heights[values[v]];
       if (this.frames[k] !== undefined) this.frames[k].position.needsUpdate = true;
     });
   }
@@ -181,6 +192,15 @@ export class Surface {
     for (const v of painted) this.paint.array[4 * v] = 255;
     for (const v of brushed) this.paint.array[4 * v + 1] = 255;
     this.paint.needsUpdate = true;
+  }
+
+  setOpacity(opacity) {
+    this.uniforms.opacity.value = opacity;
+    const isClear = opacity < 1;
+    this.depth.visible = isClear;
+    if (this.mesh.material.transparent === isClear) return;
+    this.mesh.material.transparent = isClear;
+    this.mesh.material.needsUpdate = true;
   }
 
   setMap(name) {

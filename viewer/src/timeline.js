@@ -11,7 +11,7 @@ import { css, durationColor } from "./colors.js";
 import { PAINT } from "./surface.js";
 import { short } from "./format.js";
 
-const MARGIN = 10; // pixels, left and right, as far as the thumb of the slider beneath needs
+export const MARGIN = 10; // pixels, left and right, as far as the thumb of the slider beneath needs
 const BAR = 5, REACH = 7, STRIP = 6; // pixels
 
 export class Timeline {
@@ -48,7 +48,8 @@ export class Timeline {
 
   describe(i) {
     const f = this.scene.features[i];
-    return `Feature ${i + 1}: ${f.time.toFixed(3)} s, τ ${short(f.tau)} s, strength ${short(f.strength)}`;
+    const place = f.place === undefined ? "" : `, place ${f.place}`;
+    return `Feature ${f.rank}: ${f.time.toFixed(3)} s, τ ${short(f.tau)} s, strength ${short(f.strength)}${place}`;
   }
 
   seek(x) {
@@ -68,7 +69,7 @@ export class Timeline {
   featureAt(x, y) {
     let best = -1, least = REACH;
     this.scene.features.forEach((f, i) => {
-      if (f.strength < this.state.values.threshold || !this.state.values.features) return;
+      if (!this.state.values.shown[i] || !this.state.values.features) return;
       const along = Math.max(this.x(f.time - f.tau) - x, x - this.x(f.time + f.tau), 0);
       const distance = Math.hypot(along, y - this.y(f.strength)) + 0.02 * Math.abs(x - this.x(f.time));
       if (distance < least) [best, least] = [i, distance];
@@ -109,13 +110,14 @@ export class Timeline {
   }
 
   drawFeatures(g, width, color) {
-    const { threshold, selected } = this.state.values;
+    const { threshold, selected, shown } = this.state.values, place = this.scene.features[selected]?.place;
     g.lineCap = "round";
     const order = this.scene.features.map((_, i) => i).reverse(); // the strongest on top
     for (const i of order) {
       const f = this.scene.features[i], y = this.y(f.strength), rgb = durationColor(this.scale(f.tau));
-      const isIn = f.strength >= threshold, isMarked = i === selected || i === this.hovered;
-      const alpha = isIn ? 1 : 0.22;
+      const isMarked = i === selected || i === this.hovered;
+      const alpha = shown[i] ? 1 : 0.22;
+      const isSibling = place !== undefined && f.place === place && shown[i]; // the selected place at another time
       const stroke = (from, to, lineWidth, strokeStyle) => {
         Object.assign(g, { lineWidth, strokeStyle });
         g.beginPath();
@@ -130,6 +132,12 @@ export class Timeline {
       g.beginPath();
       g.arc(this.x(f.time), y, isMarked ? 4.2 : 3.2, 0, 2 * Math.PI);
       g.fill();
+      if (!isSibling || isMarked) continue;
+      g.strokeStyle = color("--ink");
+      g.lineWidth = 1.5;
+      g.beginPath();
+      g.arc(this.x(f.time), y, 5, 0, 2 * Math.PI);
+      g.stroke();
     }
 
     g.lineCap = "butt";

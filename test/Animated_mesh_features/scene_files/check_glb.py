@@ -76,7 +76,7 @@ check(len(features) > 3, "there are features")
 scene = gltf["scenes"][gltf["scene"]]
 check(scene["extras"]["frames"] == frames and near(scene["extras"]["frame_duration"], frame_duration), "the frame duration in the extras")
 nodes = [gltf["nodes"][i] for i in scene["nodes"]]
-check([n["name"] for n in nodes] == ["surface"] + ["feature_%d" % i for i in range(len(features))], "the nodes")
+check([n["name"] for n in nodes] == ["surface"] + ["feature_%d" % (i + 1) for i in range(len(features))], "the nodes")
 samplers = {(c["target"]["node"], c["target"]["path"]): gltf["animations"][0]["samplers"][c["sampler"]]
             for c in gltf["animations"][0]["channels"]}
 check(len(samplers) == 1 + 2 * len(features), "a channel for each motion")
@@ -132,9 +132,10 @@ check(near(half[2], 0.5, 1e-4) and near(half[3], 0.5, 1e-4), "positions are line
 taus = [x["tau"] for x in features]
 for i, x in enumerate(features):
     node = nodes[1 + i]
-    for name in ("vertex", "frame", "time", "sigma", "tau", "radius", "strength", "at_scale_limit"):
+    for name in ("vertex", "frame", "time", "sigma", "tau", "radius", "strength", "amplitude", "fit", "place", "at_scale_limit"):
         check(near(node["extras"][name], x[name]), "%s of feature %d" % (name, i))
-    check(node["extras"]["rank"] == i, "the rank of feature %d" % i)
+    check(node["extras"]["rank"] == x["rank"] == i + 1, "the rank of feature %d" % i)
+    check(node["extras"]["parent"] == x["parent"], "the parent of feature %d" % i)
     for f in range(frames):
         alive = f == x["frame"] or abs(f * frame_duration - x["time"]) <= 2 * x["tau"]
         scale = play(samplers[1 + i, "scale"], f * frame_duration)

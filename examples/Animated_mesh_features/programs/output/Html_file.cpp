@@ -66,16 +66,21 @@ std::string html_notice(const Output_options& o, std::size_t number_of_vertices,
 {
   if (!o.has_scene(Scene_format::HTML)) return std::string();
   check_viewer();
-  std::size_t step = 0;
+  Html_sampling sampling;
   try {
-    step = Programs::html_frame_step(number_of_vertices, number_of_frames, html_options(o));
+    sampling = html_sampling(number_of_vertices, number_of_frames, html_options(o));
   } catch (const AMF::Option_error& e) {
     throw AMF::Option_error("--html: " + std::string(e.what()) +
                             ": --html-every N takes every N-th frame, 1 all of them");
   }
-  if (step <= 1 || o.html_frame_step != 0) return std::string();
-  return "--html: the page has 1 of " + std::to_string(step) +
-         " frames, so that it stays small enough for a browser; --html-every 1 takes all of them\n";
+  const bool has_all_vertices = sampling.vertices >= number_of_vertices;
+  if (o.html_frame_step != 0 || (has_all_vertices && sampling.frame_step <= 1)) return std::string();
+  std::string text = "--html: the page has ";
+  if (!has_all_vertices)
+    text += std::to_string(sampling.vertices) + " of " + std::to_string(number_of_vertices) + " vertices";
+  if (!has_all_vertices && sampling.frame_step > 1) text += " and ";
+  if (sampling.frame_step > 1) text += "1 of " + std::to_string(sampling.frame_step) + " frames";
+  return text + ", so that it stays small enough for a browser; --html-every 1 takes all of them\n";
 }
 
 std::unique_ptr<Scene_file> open_html_file(const std::string& path, const Output_options& o)

@@ -6,6 +6,8 @@
 
 #include "output/Result_files.h"
 
+#include "scenes/colour_scales.h"
+
 #include <CGAL/Animated_mesh_features/IO/write_csv.h>
 #include <CGAL/Animated_mesh_features/IO/write_json.h>
 #include <CGAL/Animated_mesh_features/IO/write_npy.h>
@@ -65,7 +67,7 @@ void Result_files::write_features(const std::vector<Feature>& features, const IO
       IO::write_csv(os, features, description.origins);
       break;
     case Format::PLY:
-      IO::write_ply(os, features);
+      IO::write_ply(os, features, true, duration_colours_of(features));
       break;
     }
     flush(*f.file);

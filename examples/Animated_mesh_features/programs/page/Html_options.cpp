@@ -13,18 +13,22 @@
 
 namespace Programs {
 
-std::size_t html_frame_step(std::size_t number_of_vertices, std::size_t number_of_frames, const Html_options& options)
+Html_sampling html_sampling(std::size_t number_of_vertices, std::size_t number_of_frames, const Html_options& options)
 {
-  if (options.frame_step > 0) return options.frame_step;
-  const std::size_t n = (std::max)(number_of_vertices, std::size_t(1));
-  const std::size_t most_frames = options.most_positions / n;
-  if (number_of_frames <= most_frames) return 1;
+  if (options.frame_step > 0) return {number_of_vertices, options.frame_step};
+  Html_sampling result{number_of_vertices, 1};
+  const std::size_t frames = (std::max)(number_of_frames, std::size_t(1));
+  if (number_of_vertices > options.most_positions / frames)
+    result.vertices = (std::min)(number_of_vertices, (std::max)(options.most_positions / frames, options.fewest_vertices));
+  const std::size_t most_frames = options.most_positions / (std::max)(result.vertices, std::size_t(1));
+  if (number_of_frames <= most_frames) return result;
   if (most_frames < (std::min)(options.fewest_frames, number_of_frames))
     throw CGAL::Animated_mesh_features::Option_error(
-        "the animation is too large for a page: " + std::to_string(number_of_vertices) + " vertices leave room for " +
+        "the animation is too large for a page: " + std::to_string(result.vertices) + " vertices leave room for " +
         std::to_string(most_frames) + " of its " + std::to_string(number_of_frames) + " frames, fewer than " +
         std::to_string(options.fewest_frames) + "; say how many frames it shall have nevertheless");
-  return (number_of_frames + most_frames - 1) / most_frames;
+  result.frame_step = (number_of_frames + most_frames - 1) / most_frames;
+  return result;
 }
 
 } // namespace Programs

@@ -58,6 +58,19 @@ std::string byte_planes(const std::vector<Number>& numbers)
   return planes;
 }
 
+// Each number as the difference from the one before, signs folded.
+std::vector<std::uint32_t> differences(const std::vector<std::uint32_t>& numbers)
+{
+  std::vector<std::uint32_t> result;
+  std::uint32_t last = 0;
+  for (const std::uint32_t n : numbers) {
+    const std::uint32_t difference = n - last;
+    result.push_back((difference << 1) ^ (difference >> 31 ? ~std::uint32_t(0) : 0));
+    last = n;
+  }
+  return result;
+}
+
 // Colours of a map from 0 to 1: so many that it is straight between them, to within rounding.
 std::vector<std::string> samples(const Rendering::Colour_map& map)
 {
@@ -90,16 +103,17 @@ void write_bytes(std::ostream& os, const std::string& id, const std::string& byt
 
 } // namespace
 
-Html_scene::Html_scene(const Shown_scene& scene, std::size_t frame_step, const Html_options& options)
+Html_scene::Html_scene(const Shown_scene& scene, const Html_sampling& sampling, const Html_options& options)
   : m_scene(scene)
   , m_options(options)
-  , m_frames(kept_frames(scene.sequence.number_of_frames(), frame_step))
-  , m_positions(scene.sequence.trajectories(), scene.sequence.rest_shape())
+  , m_surface(scene.sequence, sampling.vertices)
+  , m_frames(kept_frames(scene.sequence.number_of_frames(), sampling.frame_step))
+  , m_positions(scene.sequence.trajectories(), scene.sequence.rest_shape(), m_surface.vertices())
   , m_rest(resting(scene.sequence.rest_shape()))
-  , m_rest_positions(m_rest, scene.sequence.rest_shape())
-  , m_prediction(scene.sequence.number_of_vertices(), scene.sequence.rest_shape().triangles())
+  , m_rest_positions(m_rest, scene.sequence.rest_shape(), m_surface.vertices())
+  , m_prediction(m_surface.vertices().size(), m_surface.triangles())
 {
-  for (const Scene_field& f : scene.fields) m_fields.emplace_back(*f.values, m_frames);
+  for (const Scene_field& f : scene.fields) m_fields.emplace_back(*f.values, m_surface.vertices(), m_frames);
 }
 
 double Html_scene::largest_error() const
@@ -112,6 +126,7 @@ void Html_scene::write(std::ostream& os) const
 {
   write_description(os, description());
   write_bytes(os, "scene-faces", faces());
+  if (m_surface.is_thinned()) write_bytes(os, "scene-vertices", vertices());
   write_bytes(os, "scene-positions", positions(m_positions, m_frames));
   write_bytes(os, "scene-rest", positions(m_rest_positions, {0}));
   for (std::size_t i = 0; i < m_fields.size(); ++i)
@@ -126,15 +141,17 @@ Json Html_scene::description() const
     fields.push_back({{"name", m_scene.fields[i].name},
                       {"min", m_fields[i].min()},
                       {"max", m_fields[i].max()},
-                      {"largest", m_fields[i].largest()}});
-  return {{"format", "animated-mesh-features-scene"},
+                      {"largest", m_fields[i].largest()},
+                      {"top_level", Quantized_field::top_level}});
+  Json result = {{"format", "animated-mesh-features-scene"},
           {"version", 1},
           {"title", m_scene.title},
-          {"vertices", sequence.number_of_vertices()},
-          {"faces", sequence.rest_shape().triangles().size()},
+          {"vertices", m_surface.vertices().size()},
+          {"faces", m_surface.triangles().size()},
           {"frames", sequence.number_of_frames()},
           {"frame_duration", sequence.frame_duration()},
           {"bounding_box_diagonal", sequence.rest_shape().bounding_box_diagonal()},
+          {"mean_edge_length", sequence.rest_shape().mean_edge_length()},
           {"largest_error", largest_error()},
           {"kept_frames", m_frames},
           {"view", view()},
@@ -146,6 +163,23 @@ Json Html_scene::description() const
           {"colours",
            {{"field", samples(Rendering::field_colours())}, {"duration", samples(Rendering::duration_colours())}}},
           {"features", m_scene.features}};
+  if (m_surface.is_thinned()) {
+    result["all_vertices"] = sequence.number_of_vertices();
+    result["all_faces"] = sequence.rest_shape().triangles().size();
+    result["places"] = places();
+  }
+  return result;
+}
+
+Json Html_scene::places() const
+{
+  Json result = Json::array();
+  for (const Shown_feature& feature : m_scene.features) {
+    const Page_surface::Place place = m_surface.place(feature);
+    result.push_back(
+        {{"triangle", place.triangle}, {"barycentric_coordinates", place.barycentric_coordinates}});
+  }
+  return result;
 }
 
 Json Html_scene::corners() const
@@ -173,26 +207,25 @@ Json Html_scene::view() const
   return result;
 }
 
-// Each corner as the difference from the one before, signs folded.
 std::string Html_scene::faces() const
 {
-  std::vector<std::uint32_t> residuals;
-  std::uint32_t last = 0;
-  for (const auto& t : m_scene.sequence.rest_shape().triangles())
-    for (const std::uint32_t v : t) {
-      const std::uint32_t difference = v - last;
-      residuals.push_back((difference << 1) ^ (difference >> 31 ? ~std::uint32_t(0) : 0));
-      last = v;
-    }
-  return byte_planes(residuals);
+  std::vector<std::uint32_t> corners;
+  for (const auto& t : m_surface.triangles()) corners.insert(corners.end(), t.begin(), t.end());
+  return byte_planes(differences(corners));
+}
+
+std::string Html_scene::vertices() const
+{
+  return byte_planes(differences({m_surface.vertices().begin(), m_surface.vertices().end()}));
 }
 
 std::string Html_scene::positions(const Quantized_positions& positions, const std::vector<std::size_t>& frames) const
 {
   std::vector<std::uint16_t> residuals, now;
-  residuals.reserve(3 * m_scene.sequence.number_of_vertices() * frames.size());
+  const std::size_t n = m_surface.vertices().size();
+  residuals.reserve(3 * n * frames.size());
   std::array<std::vector<std::uint16_t>, 3> before;
-  before.fill(std::vector<std::uint16_t>(m_scene.sequence.number_of_vertices()));
+  before.fill(std::vector<std::uint16_t>(n));
   for (const std::size_t f : frames) {
     Interruption::check();
     for (std::size_t c = 0; c < 3; ++c) {
@@ -206,7 +239,7 @@ std::string Html_scene::positions(const Quantized_positions& positions, const st
 
 std::vector<std::uint8_t> Html_scene::residuals(const Quantized_field& field) const
 {
-  std::vector<std::uint8_t> residuals, now, before(m_scene.sequence.number_of_vertices());
+  std::vector<std::uint8_t> residuals, now, before(m_surface.vertices().size());
   residuals.reserve(before.size() * m_frames.size());
   for (const std::size_t f : m_frames) {
     Interruption::check();

@@ -8,6 +8,7 @@
 #define PROGRAMS_PAGE_HTML_SCENE_H
 
 #include "page/Html_options.h"
+#include "page/Page_surface.h"
 #include "page/Quantized_field.h"
 #include "page/Quantized_positions.h"
 #include "page/Surface_prediction.h"
@@ -27,8 +28,10 @@ namespace Programs {
 class Html_scene
 {
 public:
-  // Keeps every `frame_step`-th frame, and the last one. `options` tell where the page opens.
-  Html_scene(const Shown_scene& scene, std::size_t frame_step, const Html_options& options);
+  // Keeps at most so many vertices, every `frame_step`-th frame, and the last one. `options` tell where the page opens.
+  Html_scene(const Shown_scene& scene, const Html_sampling& sampling, const Html_options& options);
+
+  std::size_t number_of_vertices() const { return m_surface.vertices().size(); }
 
   // in bounding-box diagonals of the rest shape
   double largest_error() const;
@@ -39,12 +42,15 @@ private:
   nlohmann::ordered_json description() const;
   nlohmann::ordered_json corners() const;
   nlohmann::ordered_json view() const;
+  nlohmann::ordered_json places() const;
   std::string faces() const;
+  std::string vertices() const;
   std::string positions(const Quantized_positions& positions, const std::vector<std::size_t>& frames) const;
   std::vector<std::uint8_t> residuals(const Quantized_field& field) const;
 
   const Shown_scene& m_scene;
   const Html_options m_options;
+  const Page_surface m_surface;
   std::vector<std::size_t> m_frames; // that are kept
   Quantized_positions m_positions;
   const Quantized_positions::Trajectories m_rest; // the rest shape, as an animation of one frame

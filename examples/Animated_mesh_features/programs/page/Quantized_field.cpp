@@ -10,13 +10,15 @@
 
 namespace Programs {
 
-Quantized_field::Quantized_field(const Shown_values& field, const std::vector<std::size_t>& frames)
+Quantized_field::Quantized_field(const Shown_values& field, const std::vector<std::size_t>& vertices,
+                                 const std::vector<std::size_t>& frames)
   : m_field(&field)
+  , m_vertices(&vertices)
 {
   const double shown = 0.995;
   std::vector<double> values;
-  values.reserve(field.number_of_rows() * frames.size());
-  for (std::size_t v = 0; v < field.number_of_rows(); ++v)
+  values.reserve(vertices.size() * frames.size());
+  for (const std::size_t v : vertices)
     for (const std::size_t f : frames) values.push_back(field(v, f));
   if (values.empty()) return;
   const auto ends = std::minmax_element(values.begin(), values.end());
@@ -30,11 +32,14 @@ Quantized_field::Quantized_field(const Shown_values& field, const std::vector<st
 
 void Quantized_field::get_frame(std::size_t frame, std::vector<std::uint8_t>& numbers) const
 {
-  const double levels = 255, scale = m_max > m_min ? levels / (m_max - m_min) : 0;
-  numbers.resize(m_field->number_of_rows());
+  const double top = top_level, last = 255;
+  const double scale = m_max > m_min ? top / (m_max - m_min) : 0;
+  const double rest_scale = m_largest > m_max ? (last - top) / (m_largest - m_max) : 0;
+  numbers.resize(m_vertices->size());
   for (std::size_t v = 0; v < numbers.size(); ++v) {
-    const double level = ((*m_field)(v, frame) - m_min) * scale;
-    numbers[v] = static_cast<std::uint8_t>((std::min)(level, levels) + 0.5);
+    const double x = (*m_field)((*m_vertices)[v], frame);
+    const double level = x <= m_max ? (x - m_min) * scale : top + (x - m_max) * rest_scale;
+    numbers[v] = static_cast<std::uint8_t>((std::min)(level, last) + 0.5);
   }
 }
 

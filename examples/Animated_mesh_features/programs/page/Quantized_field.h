@@ -15,13 +15,17 @@
 
 namespace Programs {
 
-// A field as 8-bit numbers: 0 is its minimum, 255 the value that 99.5 % of it do not exceed, and all above. A few
-// vertices at which the surface is torn would otherwise leave one colour for all the rest.
+// A field as 8-bit numbers: 0 is its minimum, `top_level` the value that 99.5 % of it do not exceed, linear between them,
+// and from there to 255, in coarser steps, its maximum. A few vertices at which the surface is torn would otherwise leave
+// one colour for all the rest; curves over time show them nevertheless.
 class Quantized_field
 {
 public:
-  // Refers to the field; its extent is that in `frames`.
-  Quantized_field(const Shown_values& field, const std::vector<std::size_t>& frames);
+  // Of some vertices, in that order. Refers to field and vertices; its extent is that of the vertices in `frames`.
+  Quantized_field(const Shown_values& field, const std::vector<std::size_t>& vertices,
+                  const std::vector<std::size_t>& frames);
+
+  static constexpr std::uint8_t top_level = 223;
 
   double min() const { return m_min; }
   double max() const { return m_max; }
@@ -31,6 +35,7 @@ public:
 
 private:
   const Shown_values* m_field;
+  const std::vector<std::size_t>* m_vertices;
   double m_min = 0, m_max = 0, m_largest = 0;
 };
 

@@ -16,9 +16,11 @@
 namespace Programs {
 
 Quantized_positions::Quantized_positions(const Trajectories& animation,
-                                         const CGAL::Animated_mesh_features::Rest_shape& shape)
+                                         const CGAL::Animated_mesh_features::Rest_shape& shape,
+                                         const std::vector<std::size_t>& vertices)
   : m_animation(&animation)
   , m_shape(&shape)
+  , m_vertices(&vertices)
   , m_corners(animation.number_of_frames())
 {
   const double infinity = std::numeric_limits<double>::infinity();
@@ -28,7 +30,7 @@ Quantized_positions::Quantized_positions(const Trajectories& animation,
     Interruption::check();
     for (std::size_t c = 0; c < 3; ++c) {
       double min = infinity, max = -infinity;
-      for (std::size_t v = 0; v < animation.number_of_vertices(); ++v) {
+      for (std::size_t v = 0; v < vertices.size(); ++v) {
         const double x = coordinate(c, v, f);
         min = (std::min)(min, x);
         max = (std::max)(max, x);
@@ -51,14 +53,14 @@ double Quantized_positions::largest_error() const
 void Quantized_positions::get_frame(std::size_t c, std::size_t frame, std::vector<std::uint16_t>& numbers) const
 {
   const std::int64_t first = corner(c, frame);
-  numbers.resize(m_animation->number_of_vertices());
+  numbers.resize(m_vertices->size());
   for (std::size_t v = 0; v < numbers.size(); ++v)
     numbers[v] = static_cast<std::uint16_t>(steps(c, coordinate(c, v, frame)) - first);
 }
 
 double Quantized_positions::coordinate(std::size_t c, std::size_t i, std::size_t f) const
 {
-  const std::size_t v = shown_vertex(*m_shape, i);
+  const std::size_t v = shown_vertex(*m_shape, (*m_vertices)[i]);
   return c == 0 ? m_animation->x(v, f) : c == 1 ? m_animation->y(v, f) : m_animation->z(v, f);
 }
 

@@ -26,8 +26,9 @@ class Quantized_positions
 public:
   typedef CGAL::Animated_mesh_features::Vertex_trajectories<double> Trajectories;
 
-  // Both are referred to.
-  Quantized_positions(const Trajectories& animation, const CGAL::Animated_mesh_features::Rest_shape& shape);
+  // Of some vertices of the animation, in that order. All are referred to.
+  Quantized_positions(const Trajectories& animation, const CGAL::Animated_mesh_features::Rest_shape& shape,
+                      const std::vector<std::size_t>& vertices);
 
   const std::array<double, 3>& origin() const { return m_origin; }
   double step() const { return m_step; }
@@ -46,6 +47,7 @@ private:
 
   const Trajectories* m_animation;
   const CGAL::Animated_mesh_features::Rest_shape* m_shape;
+  const std::vector<std::size_t>* m_vertices;
   std::vector<std::array<double, 3>> m_corners; // of each frame's bounding box
   std::array<double, 3> m_origin;
   double m_step = 1;

@@ -26,8 +26,11 @@ Html_report write_html(std::ostream& os, const Shown_scene& scene, std::string_v
   if (place == std::string_view::npos)
     throw CGAL::Animated_mesh_features::Option_error("the page has no place for a scene: it is not the viewer");
   Html_report report;
-  report.frame_step = html_frame_step(scene.sequence.number_of_vertices(), scene.sequence.number_of_frames(), options);
-  const Html_scene html(scene, report.frame_step, options);
+  const Html_sampling sampling =
+      html_sampling(scene.sequence.number_of_vertices(), scene.sequence.number_of_frames(), options);
+  const Html_scene html(scene, sampling, options);
+  report.vertices = html.number_of_vertices();
+  report.frame_step = sampling.frame_step;
   report.largest_error = html.largest_error();
   os.write(page.data(), static_cast<std::streamsize>(place));
   html.write(os);

@@ -19,6 +19,7 @@ namespace Programs {
 // What write_html() did.
 struct Html_report
 {
+  std::size_t vertices = 0;   // so many vertices are in the page
   std::size_t frame_step = 1; // every so many frames are in the page
   double largest_error = 0;   // no vertex is farther from where it was, in bounding-box diagonals of the rest shape
 };
@@ -34,17 +35,19 @@ struct Html_report
 //   moves by more than sqrt(3) / 2 steps, at most 1.4e-5 of that side. The page says how much it is.
 // - The rest shape, along whose edges the page measures a brush, is rounded likewise, to a grid of its own; where it is in
 //   space is not kept.
-// - Fields are rounded to 256 values between the smallest and the 99.5th percentile, above which they are shown as that.
+// - Fields are rounded to 224 values between the smallest and the 99.5th percentile, at which colours end, and to 32 above.
 // - All are written as differences from what a neighbour's motion predicts, in byte planes, deflated, as base64.
 // - Features are written as IO::write_json() does.
 // - "view" tells where the page opens: what points up, and the direction to the camera; null if that is left to the page.
 //
-// A scene of more vertices times frames than `Html_options::most_positions` is thinned out in time: every k-th frame and
-// the last one are kept, the page is linear between them.
+// A scene of more vertices times frames than `Html_options::most_positions` is thinned out, see html_sampling(). In space:
+// the page has a surface with fewer of the vertices, see thinned_triangles(), their numbers in the scene (`scene-vertices`,
+// differences), and, for each feature, the nearest place on it (`places`); features themselves are those of the scene. In
+// time: every k-th frame and the last one are kept, the page is linear between them.
 //
 // To a binary stream; its errors are left in its state, `Output_file` reports them. Independent of its locale.
 // throws what check_scene() does if the scene does not fit together; Option_error if it is too large, see
-// html_frame_step(), or if `page` is not the viewer.
+// html_sampling(), or if `page` is not the viewer.
 //
 // Time: linear in the number of vertices times frames, about 0.25 s for each million.
 Html_report write_html(std::ostream& os, const Shown_scene& scene, std::string_view page,

@@ -48,19 +48,23 @@ void Gltf_features::append_nodes(Json& nodes) const
   for (std::size_t i = 0; i < m_lives.size(); ++i) {
     const Shown_feature& f = m_scene.features[i];
     const float size = m_lives[i].size;
-    nodes.push_back({{"name", "feature_" + std::to_string(i)},
+    nodes.push_back({{"name", "feature_" + std::to_string(i + 1)},
                      {"mesh", 1 + m_looks[i]},
                      {"translation", m_lives[i].place},
                      {"scale", {size, size, size}},
                      {"extras",
-                      {{"rank", i},
+                      {{"rank", i + 1},
                        {"vertex", f.vertex_index},
                        {"frame", f.frame},
                        {"time", f.time},
                        {"sigma", f.sigma},
                        {"tau", f.tau},
                        {"radius", f.radius()},
+                       {"amplitude", f.amplitude},
+                       {"fit", f.fit},
                        {"strength", f.strength},
+                       {"place", f.place + 1},
+                       {"parent", f.parent == Shown_feature::none ? Json(nullptr) : Json(f.parent + 1)},
                        {"at_scale_limit", f.at_scale_limit}}}});
   }
 }

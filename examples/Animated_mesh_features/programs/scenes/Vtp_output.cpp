@@ -33,11 +33,18 @@ void Vtp_output::begin(const std::string& section)
   m_xml += "<" + section + ">\n";
 }
 
-void Vtp_output::begin(const std::string& section, const std::string& scalars)
+void Vtp_output::begin_point_data(const std::string& scalars, const std::string& normals)
 {
-  m_xml += "<" + section + " Scalars=\"";
-  append_xml_text(m_xml, scalars);
-  m_xml += "\">\n";
+  m_xml += "<PointData";
+  const auto append = [&](const char* what, const std::string& name) {
+    if (name.empty()) return;
+    m_xml += std::string(" ") + what + "=\"";
+    append_xml_text(m_xml, name);
+    m_xml += '"';
+  };
+  append("Scalars", scalars);
+  append("Normals", normals);
+  m_xml += ">\n";
 }
 
 void Vtp_output::end(const std::string& section)

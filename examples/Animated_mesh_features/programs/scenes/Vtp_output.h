@@ -29,10 +29,11 @@ public:
   Vtp_output(const Vtp_output&) = delete;
   Vtp_output& operator=(const Vtp_output&) = delete;
 
-  // Arrays come between the two. What shows the file shows the array `scalars` first.
+  // Arrays come between the two.
   void begin(const std::string& section);
-  void begin(const std::string& section, const std::string& scalars);
   void end(const std::string& section);
+  // The section PointData: what shows the file shows the array `scalars` first, and lights it by `normals`; none if empty.
+  void begin_point_data(const std::string& scalars, const std::string& normals = std::string());
 
   // `components` of each tuple; 0: an array of field data, which tells its number of tuples.
   template <class T>

@@ -6,6 +6,8 @@
 
 #include "scenes/colour_scales.h"
 
+#include "rendering/Palette.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -26,6 +28,14 @@ std::vector<double> relative_taus(const std::vector<Shown_feature>& features)
     result.push_back(f.tau > 0 && most > least ? std::log(f.tau / least) / std::log(most / least)
                      : f.tau > 0               ? 0.5
                                                : 0);
+  return result;
+}
+
+std::vector<std::array<std::uint8_t, 3>> duration_colours_of(const std::vector<Shown_feature>& features)
+{
+  std::vector<std::array<std::uint8_t, 3>> result;
+  for (double place : relative_taus(features))
+    result.push_back(Rendering::encoded(Rendering::duration_colours()(place)));
   return result;
 }
 

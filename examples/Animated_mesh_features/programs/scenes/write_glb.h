@@ -19,10 +19,10 @@ namespace Programs {
 //   weight 1 at the time of frame `f` and 0 at those of other frames: one animation plays it at its own pace. If the scene
 //   has a field, vertices have the colours of the first one, from clay to a deep blue-green at the value that 99 % do not
 //   exceed; viewers that do not animate colours show, in all frames, the largest value over time.
-// - Node `feature_0`, the strongest, and so on: a translucent sphere with the radius of the feature, which follows the
+// - Node `feature_1`, the strongest, and so on: a translucent sphere with the radius of the feature, which follows the
 //   surface in the frames in which it lives (see lives_in_frame()) and has scale 0 in others; its colour goes from red for
 //   the smallest tau of all features to blue for the largest. Its `extras` are `rank`, `vertex`, `frame`, `time`, `sigma`,
-//   `tau`, `radius`, `strength`, and `at_scale_limit`.
+//   `tau`, `radius`, `amplitude`, `fit`, `strength`, `place`, `parent` (null without one), and `at_scale_limit`.
 //
 // Times are in seconds from the first frame, lengths in the unit of the animation.
 //

@@ -9,6 +9,7 @@
 #include "scenes/Vtp_output.h"
 #include "scenes/feature_in_frame.h"
 #include "scenes/for_each_frame.h"
+#include "scenes/paraview_script.h"
 #include "scenes/surface_shapes.h"
 
 #include <nlohmann/json.hpp>
@@ -44,6 +45,7 @@ class Vtk_surface
 {
 public:
   explicit Vtk_surface(const Triangles& triangles)
+    : m_triangles(triangles)
   {
     m_corners.reserve(3 * triangles.size());
     for (const auto& t : triangles) {
@@ -54,11 +56,10 @@ public:
 
   void write(std::ostream& os, const Scene_frame& frame, const std::vector<Scene_field>& fields, double time) const
   {
+    const std::vector<float> normals = vertex_normals(frame.xyz, m_triangles);
     Vtp_output out(frame.xyz.size() / 3, 0, m_ends.size(), time);
-    if (fields.empty())
-      out.begin("PointData");
-    else
-      out.begin("PointData", fields.front().name);
+    out.begin_point_data(fields.empty() ? std::string() : fields.front().name, "Normals");
+    out.array("Normals", normals, 3);
     for (std::size_t i = 0; i < fields.size(); ++i) out.array(fields[i].name, frame.fields[i]);
     out.end("PointData");
     out.begin("Points");
@@ -72,6 +73,7 @@ public:
   }
 
 private:
+  const Triangles& m_triangles;
   std::vector<Index> m_corners, m_ends;
 };
 
@@ -91,11 +93,16 @@ public:
       m_tau.push_back(feature.tau);
       m_time.push_back(feature.time);
       m_strength.push_back(feature.strength);
+      m_amplitude.push_back(feature.amplitude);
+      m_fit.push_back(feature.fit);
       m_radius.push_back(feature.radius());
       m_opacity.push_back(opacity_in_frame(feature, f, frame_duration));
       m_vertex.push_back(static_cast<std::int64_t>(feature.vertex_index));
       m_frame.push_back(static_cast<std::int64_t>(feature.frame));
-      m_rank.push_back(static_cast<std::int64_t>(i));
+      m_rank.push_back(static_cast<std::int64_t>(i + 1));
+      m_place.push_back(static_cast<std::int64_t>(feature.place + 1));
+      m_parent.push_back(feature.parent == Shown_feature::none ? 0 : static_cast<std::int64_t>(feature.parent + 1));
+      m_at_scale_limit.push_back(feature.at_scale_limit ? 1 : 0);
     }
   }
 
@@ -105,16 +112,21 @@ public:
     std::iota(points.begin(), points.end(), 0);
     std::iota(ends.begin(), ends.end(), 1);
     Vtp_output out(m_rank.size(), m_rank.size(), 0, m_frame_time);
-    out.begin("PointData", "strength");
+    out.begin_point_data("strength");
     out.array("sigma", m_sigma);
     out.array("tau", m_tau);
     out.array("time", m_time);
     out.array("strength", m_strength);
+    out.array("amplitude", m_amplitude);
+    out.array("fit", m_fit);
     out.array("radius", m_radius);
     out.array("opacity", m_opacity);
     out.array("vertex", m_vertex);
     out.array("frame", m_frame);
     out.array("rank", m_rank);
+    out.array("place", m_place);
+    out.array("parent", m_parent);
+    out.array("at_scale_limit", m_at_scale_limit);
     out.end("PointData");
     out.begin("Points");
     out.array("Points", m_points, 3);
@@ -128,8 +140,8 @@ public:
 
 private:
   double m_frame_time;
-  std::vector<double> m_points, m_sigma, m_tau, m_time, m_strength, m_radius, m_opacity;
-  std::vector<std::int64_t> m_vertex, m_frame, m_rank;
+  std::vector<double> m_points, m_sigma, m_tau, m_time, m_strength, m_amplitude, m_fit, m_radius, m_opacity;
+  std::vector<std::int64_t> m_vertex, m_frame, m_rank, m_place, m_parent, m_at_scale_limit;
 };
 
 template <class Index>
@@ -168,6 +180,7 @@ void write_vtk(Output_folder& folder, const Shown_scene& scene)
   for (const char* series : {"surface", "features"})
     folder.write(std::string(series) + ".pvd",
                  [&](std::ostream& os) { write_pvd(os, series, frames, scene.sequence.frame_duration()); });
+  folder.write("show_in_paraview.py", [&](std::ostream& os) { os << paraview_script(scene); });
 }
 
 } // namespace Programs

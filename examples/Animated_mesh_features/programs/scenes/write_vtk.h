@@ -22,18 +22,19 @@ std::string vtp_name(const std::string& series, std::size_t frame, std::size_t n
 // Writes a scene as two time series for ParaView and whatever else reads VTK's XML files.
 //
 // - `surface.pvd` with a `surface_0000.vtp` for each frame: the surface, with the fields of the scene as point data under
-//   their names, in single precision, the first of them shown first;
+//   their names, in single precision, the first of them shown first, and with normals;
 // - `features.pvd` with a `features_0000.vtp` for each frame: the features that live in it (see lives_in_frame()) as points
-//   that move with the surface. Point data are `sigma`, `tau`, `time`, `strength` and `radius`, `opacity` (see
-//   opacity_in_frame()), `vertex` and `frame` counted from 0, and `rank`, 0 for the strongest feature. A frame in which no
-//   feature lives has a file without points.
+//   that move with the surface. Point data are `sigma`, `tau`, `time`, `strength`, `amplitude`, `fit` and `radius`, `opacity`
+//   (see opacity_in_frame()), `vertex` and `frame` counted from 0, `rank`, `place` and `parent` counted from 1, 0 for no
+//   parent, and `at_scale_limit`, 0 or 1. A frame in which no feature lives has a file without points;
+// - `show_in_paraview.py`, which opens both in ParaView, see paraview_script().
 //
 // Times are in seconds from the first frame, lengths in the unit of the animation.
 //
-// In ParaView: open both; filter Glyph on the features, glyph type Sphere of radius 1, scaled by `radius` with scale factor
-// 1, and all points.
+// By hand: open both; filter Glyph on the features, glyph type Sphere of radius 1, scaled by `radius` with scale factor 1, and
+// all points.
 //
-// Every frame holds the connectivity: about 12 bytes for each of the vertices, 16 for each of the triangles, and 4 for each
+// Every frame holds the connectivity: about 24 bytes for each of the vertices, 16 for each of the triangles, and 4 for each
 // value of a field.
 //
 // The folder is written, but not committed.

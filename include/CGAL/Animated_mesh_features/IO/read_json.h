@@ -24,6 +24,7 @@
 #include <istream>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -98,6 +99,32 @@ void read_triple(const Json_value& array, std::array<T, 3>& values, const Read& 
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = read(array[i]);
 }
 
+// From 1 in files, from 0 in memory.
+inline std::size_t read_number(const Json_value& number)
+{
+  const std::size_t i = number.count();
+  if (i == 0) number.fail("is 0: ranks and places are counted from 1");
+  return i - 1;
+}
+
+// Parents are ranks. In a selection of features, or in another order, ranks are not 1, 2, 3 ...; a parent that was not
+// selected is none.
+inline void find_parents(const Json_value& features, std::vector<Feature_point>& result)
+{
+  std::map<std::size_t, std::size_t> rows;
+  bool is_in_order = true;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const std::size_t rank = features[i].has("rank") ? read_number(features[i]["rank"]) : i;
+    is_in_order = is_in_order && rank == i;
+    rows.emplace(rank, i);
+  }
+  if (is_in_order) return;
+  for (Feature_point& f : result) {
+    const auto row = rows.find(f.parent);
+    f.parent = row == rows.end() ? Feature_point::none : row->second;
+  }
+}
+
 inline Feature_point read_feature(const Json_value& feature, const Result_description& d)
 {
   const auto number = [](const Json_value& x) { return x.number(); };
@@ -115,8 +142,8 @@ inline Feature_point read_feature(const Json_value& feature, const Result_descri
   // which files of other programs need not have
   if (feature.has("amplitude")) f.amplitude = feature["amplitude"].number();
   if (feature.has("fit")) f.fit = feature["fit"].number();
-  if (feature.has("place")) f.place = feature["place"].count();
-  if (feature.has("parent") && !feature["parent"].json().is_null()) f.parent = feature["parent"].count();
+  if (feature.has("place")) f.place = read_number(feature["place"]);
+  if (feature.has("parent") && !feature["parent"].json().is_null()) f.parent = read_number(feature["parent"]);
   read_triple(feature["rest_position"], f.rest_position, number);
   read_triple(feature["triangle"], f.triangle, vertex);
   read_triple(feature["barycentric_coordinates"], f.barycentric_coordinates, number);
@@ -165,6 +192,7 @@ inline Feature_file_data read_json_text(const std::string& text, const std::stri
   const Json_value features = file["features"];
   if (features.size() > 0 && !(d.frame_duration > 0)) file["animation"]["frame_duration"].fail("is not positive");
   for (std::size_t i = 0; i < features.size(); ++i) data.features.push_back(read_feature(features[i], d));
+  find_parents(features, data.features);
   data.file_vertices = read_file_vertices(features, d.origins.parts);
   return data;
 }
@@ -179,8 +207,9 @@ makes the same bytes of them.
 
 - What follows from other members is not looked at: `radius`. `Feature_point::refined_frame`, which is
   not written, is `time` over the time between two frames.
-- Members that are not known are ignored. `amplitude`, `fit`, `place` and `parent` may be missing; `amplitude` is 0 then,
-  and the others are as in a `Feature_point` of which nothing is known.
+- Members that are not known are ignored. `amplitude`, `fit`, `rank`, `place` and `parent` may be missing; `amplitude` is 0
+  then, and the others are as in a `Feature_point` of which nothing is known. Ranks are those of the file's order; where it
+  has others, as a selection of features does, parents are found by them.
 - Numbers of parameters that are written without a point and without an exponent are `std::int64_t` if they fit,
   others `double`; an empty array is one of numbers; `null` in an array of numbers stands for what is not finite and
   becomes NaN.

@@ -26,8 +26,8 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesWriting
 
-makes a JSON object of a feature, with the members that `IO::write_json()` writes; `nlohmann::ordered_json` keeps their
-order. nlohmann-json finds this function by itself, for ranges of features, too:
+makes a JSON object of a feature, with the members that `IO::write_json()` writes but for the rank, which only a range
+tells; `nlohmann::ordered_json` keeps their order. nlohmann-json finds this function by itself, for ranges of features, too:
 \code
 nlohmann::ordered_json json = {{"strongest", features.front()}, {"all", features}};
 \endcode
@@ -48,8 +48,8 @@ void to_json(Json& json, const Feature_point& feature)
                        {"amplitude", feature.amplitude},
                        {"fit", feature.fit},
                        {"strength", feature.strength},
-                       {"place", feature.place},
-                       {"parent", feature.parent == Feature_point::none ? Json(nullptr) : Json(feature.parent)},
+                       {"place", feature.place + 1},
+                       {"parent", feature.parent == Feature_point::none ? Json(nullptr) : Json(feature.parent + 1)},
                        {"rest_position", feature.rest_position},
                        {"triangle", feature.triangle},
                        {"barycentric_coordinates", feature.barycentric_coordinates},
@@ -110,8 +110,10 @@ void write_json(std::ostream& os, const FeatureRange& features, const Result_des
   separator = "\n  ";
   std::size_t i = 0;
   for (const Feature_point& feature : features) {
-    Json json = feature;
-    if (i < file_vertices.size()) json["file_vertices"] = file_vertices[i++];
+    Json json = {{"rank", i + 1}};
+    json.update(Json(feature));
+    if (i < file_vertices.size()) json["file_vertices"] = file_vertices[i];
+    ++i;
     text += separator + json_text(json);
     separator = ",\n  ";
     os.write(text.data(), static_cast<std::streamsize>(text.size()));
@@ -136,16 +138,17 @@ first.
  "parameters": {
   "preset": "calibrated"},
  "features": [
-  {"vertex":12,"frame":7,"time":0.2371,"position":[0.0,0.0,0.0],"sigma":0.06,"tau":0.1,"radius":0.085,
-   "response":-0.31,"amplitude":0.7,"fit":0.9,"strength":0.63,"place":0,"parent":null,"rest_position":[0.0,0.0,0.0],"triangle":[12,13,20],
-   "barycentric_coordinates":[1.0,0.0,0.0],"at_scale_limit":false}]}
+  {"rank":1,"vertex":12,"frame":7,"time":0.2371,"position":[0.0,0.0,0.0],"sigma":0.06,"tau":0.1,"radius":0.085,
+   "response":-0.31,"amplitude":0.7,"fit":0.9,"strength":0.63,"place":1,"parent":null,
+   "rest_position":[0.0,0.0,0.0],"triangle":[12,13,20],"barycentric_coordinates":[1.0,0.0,0.0],"at_scale_limit":false}]}
 \endcode
 
 If vertices are not those of the file (`Result_description::origins`), a feature has `"file_vertices": [12, 907]` too,
 the vertices of the file of which its vertex is made, counted from 0 through all of the file's parts, and the animation
 has `"parts": [{"name": "node 3, mesh 0, primitive 0", "first_vertex": 0, "vertices": 1425}]`.
 
-Vertices are counted from 0 in the order of the input file; times are in seconds, lengths in the input's unit. Numbers
+Vertices and frames are counted from 0, vertices in the order of the input file; ranks, places and parents, which are
+ranks, from 1. Times are in seconds, lengths in the input's unit. Numbers
 have as many digits as it takes to read the same number back, what is not finite is `null`; strings are UTF-8, with
 U+FFFD for bytes that are not. Independent of any locale. `read_json()` reads it all back.
 

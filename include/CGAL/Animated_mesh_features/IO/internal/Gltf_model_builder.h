@@ -53,6 +53,10 @@ public:
     if (m_without_triangles > 0)
       m_model.remarks.push_back(std::to_string(m_without_triangles) +
                                 " of the meshes' primitives left out: points or lines");
+    if (m_features > 0)
+      m_model.remarks.push_back(std::to_string(m_features) +
+                                (m_features == 1 ? " sphere left out: a feature" : " spheres left out: features") +
+                                " that detect_features --glb has put there");
     if (!m_gltf.asset.copyright.empty())
       m_model.remarks.push_back("the author's notice in the file: " + one_line(m_gltf.asset.copyright));
     return std::move(m_model);
@@ -141,8 +145,20 @@ private:
       is_drawn[i] = 1;
       for (int child : m_gltf.nodes[i].children) waiting.push_back(std::size_t(child));
     }
-    for (std::size_t i = 0; i < m_gltf.nodes.size(); ++i)
-      if (is_drawn[i] && m_gltf.nodes[i].mesh >= 0) add_parts(i);
+    for (std::size_t i = 0; i < m_gltf.nodes.size(); ++i) {
+      if (!is_drawn[i] || m_gltf.nodes[i].mesh < 0) continue;
+      if (is_feature(m_gltf.nodes[i]))
+        ++m_features;
+      else
+        add_parts(i);
+    }
+  }
+
+  // Scenes of detect_features --glb have a sphere for each feature, with its numbers: no part of the body.
+  static bool is_feature(const tinygltf::Node& node)
+  {
+    const auto has = [&](const char* name) { return node.extras.Has(name); };
+    return node.extras.IsObject() && has("sigma") && has("tau") && has("strength") && has("at_scale_limit");
   }
 
   void add_parts(std::size_t n)
@@ -194,6 +210,7 @@ private:
   Keyframed_model m_model;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> m_geometries; // of mesh and primitive
   std::size_t m_without_triangles = 0;
+  std::size_t m_features = 0;
 };
 
 } // namespace internal
