@@ -17,7 +17,8 @@
 #
 # On two cores that do nothing else, besides compiling: about a quarter of an hour without data, an hour and a half with
 # all of its 60 clips of bodies. It may be interrupted at any time: what is in build/evaluation/work is not computed
-# again by the same programs. Figures and tables are there, too, as JSON and Markdown.
+# again by the same programs. Figures and tables are there, too, as JSON and Markdown. Without the data the page's rows
+# about people are left out; a table that there was no time to complete leaves the page alone.
 
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"

@@ -529,7 +529,7 @@ def main():
             for key, text in make[part](lab).items():
                 (options.work / f"{key}.md").write_text(text, encoding="utf-8")
                 print(f"\n{key}\n{text}", flush=True)
-                if options.page:
+                if options.page and lab.is_complete:
                     tables.put_into(options.page, key, text)
             if not lab.is_complete:
                 raise Out_of_time
