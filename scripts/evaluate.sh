@@ -6,7 +6,7 @@
 #   scripts/evaluate.sh                  on generated animations; with the evaluation data, too, where they are at hand:
 #                                        in $ANIMATED_MESH_FEATURES_TEST_DATA, or in ../shared/data beside the checkout
 #   scripts/evaluate.sh --data DIR       with the data in DIR
-#   scripts/evaluate.sh --quick          a small figure and no data, some two minutes: shows that everything works, and
+#   scripts/evaluate.sh --quick          a smaller figure and no data, some minutes: shows that everything works, and
 #                                        leaves the manual alone
 #   scripts/evaluate.sh --parts rig,...  some of the tables: rig, twins, noise, bodies, static; sheets: pictures
 #   scripts/evaluate.sh --bodies child,woman_slim --motions walk,kick     some of the data's clips
@@ -17,7 +17,8 @@
 #
 # On two cores that do nothing else, besides compiling: about a quarter of an hour without data, an hour and a half with
 # all of its 60 clips of bodies. It may be interrupted at any time: what is in build/evaluation/work is not computed
-# again by the same programs. Figures and tables are there, too, as JSON and Markdown.
+# again by the same programs. Figures and tables are there, too, as JSON and Markdown. Without the data the page's rows
+# about people are left out; a table that there was no time to complete leaves the page alone.
 
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"

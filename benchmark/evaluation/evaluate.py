@@ -48,7 +48,7 @@ def arguments():
                         help="the data's clips for static detectors, if they are among the chosen ones")
     parser.add_argument("--run-with", default="", help="what every command is run with, such as nice")
     parser.add_argument("--threads", type=int, default=0, help="threads of each command; 0: all")
-    parser.add_argument("--quick", action="store_true", help="the figure alone, of a quarter of the vertices")
+    parser.add_argument("--quick", action="store_true", help="the figure alone, of half of the vertices")
     parser.add_argument("--time", type=float, default=1e9, help="start no command after so many seconds")
     return parser.parse_args()
 
@@ -186,7 +186,7 @@ class Lab:
 
     def generate(self, subject, vertices=None):
         if vertices is None and self.options.quick:
-            vertices = 2300
+            vertices = 4200
         command = [self.options.programs / "make_animation", "figure", "--fps", subject.fps, "-o", "frames", "--events",
                    "events.json"] + (["--vertices", vertices] if vertices else [])
         self.commands(command, ["frames.obj", "frames.pc2"], subject.folder)
@@ -318,7 +318,7 @@ LONG_LIST = ("--threshold", "0.01")  # lists of which the strongest 150 are a pa
 
 
 def figure_twins(lab):
-    n = 2300 if lab.options.quick else 9000
+    n = 4200 if lab.options.quick else 9000
     f = lab.figure
     return f, {"half the frame rate": (lab.other_figure("half_rate", 15.), "nearest"),
                "double frame rate": (lab.other_figure("double_rate", 60.), "nearest"),
@@ -400,7 +400,7 @@ def twins_tables(lab):
             except Out_of_time:
                 lab.is_complete = False
         result[key] = tables.markdown(head, rows)
-    f, half = lab.figure, lab.other_figure("half", vertices=(2300 if lab.options.quick else 9000) // 2)
+    f, half = lab.figure, lab.other_figure("half", vertices=(4200 if lab.options.quick else 9000) // 2)
     files = [s.features("calibrated", *LONG_LIST) for s in (f, half)]
     for name, file in zip(("figure.json", "half_the_vertices.json"), files):
         shutil.copyfile(file, f.folder / name)
@@ -458,7 +458,7 @@ def bodies_table(lab):
 def static_table(lab):
     if not lab.options.static:
         return {}
-    n = 2300 if lab.options.quick else 9000
+    n = 4200 if lab.options.quick else 9000
     half = lab.other_figure("half", vertices=n // 2), "nearest"
     noisy = noise_twins(lab.figure)["noise of 0.1 % of the diagonal"]
     body_clips = [s for s in lab.bodies.values() if s.name in lab.options.static_clips.split(",")]
@@ -529,7 +529,7 @@ def main():
             for key, text in make[part](lab).items():
                 (options.work / f"{key}.md").write_text(text, encoding="utf-8")
                 print(f"\n{key}\n{text}", flush=True)
-                if options.page:
+                if options.page and lab.is_complete:
                     tables.put_into(options.page, key, text)
             if not lab.is_complete:
                 raise Out_of_time
