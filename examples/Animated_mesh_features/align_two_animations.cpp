@@ -31,7 +31,9 @@ AMF::Activity wave(std::size_t frames, double frame_duration, const Clock& clock
       field(v, f) = (1 + 0.1 * double(v)) * std::exp(-late * late / 0.08);
     }
   const std::vector<double> areas(places, 1);
-  return AMF::animation_activity(field, areas, {}, frame_duration); // without a mesh, where on a body is not known
+  std::vector<double> eccentricities; // of a mesh, those of Surface_landmarks
+  for (std::size_t v = 0; v < places; ++v) eccentricities.push_back(0.7 + 0.1 * double(v));
+  return AMF::animation_activity(field, areas, eccentricities, frame_duration);
 }
 
 int main()
