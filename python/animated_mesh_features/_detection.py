@@ -133,8 +133,8 @@ class Detection:
             "1600x1000", "ffffff"; "auto", "front", "back", "left", "right", "top", "bottom" or "AZIMUTH,ELEVATION" in
             degrees; "x", "y" or "z".
         views, view_map : path, optional
-            the views that show most of the features, with a camera's path over the clip (JSON); a map of what views from
-            all sides show of them (.svg, .pdf, .png).
+            the views that show most of the features, with a camera's path over the clip (JSON); a map of what views
+            from all sides show of them (.svg, .pdf, .png).
         vertex_map : path, optional
             which vertices of the input the vertices here are made of (CSV).
         no_sync : bool
