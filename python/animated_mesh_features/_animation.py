@@ -287,8 +287,9 @@ def read_animation(*inputs, fps=None, clip=None, frames=None, there_and_back=Fal
     clip : str or int, optional
         the clip of an animated model, or the sequence of an HDF5 file, by name or by number from 0; several clips that
         play together as "A+B". By default the first.
-    frames : int, optional
-        equidistant frames to make of a clip, from its first to its last key.
+    frames : int or str, optional
+        equidistant frames to make of a clip, from its first to its last key; or "A:B", of whatever input only the
+        frames from A to B, counted from 0, of which either may be left out.
     there_and_back : bool
         play the clip to its end and back again.
     allow_outside : bool

@@ -70,7 +70,7 @@ class Animation(Shape):
     def files(self) -> List[str]: ...
 
 def read_animation(*inputs: PathLike, fps: Optional[float] = ..., clip: Union[None, str, int] = ...,
-                   frames: Optional[int] = ..., there_and_back: bool = ..., allow_outside: bool = ...,
+                   frames: Union[None, int, str] = ..., there_and_back: bool = ..., allow_outside: bool = ...,
                    faces: Optional[str] = ..., rest: Optional[PathLike] = ..., rescale_rest: bool = ...,
                    as_given: bool = ..., triangulate: bool = ..., weld: Literal["auto", "always", "never"] = ...,
                    repair: bool = ..., skip_bad_frames: bool = ..., memory: Union[None, int, str] = ...,

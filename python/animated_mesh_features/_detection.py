@@ -109,8 +109,8 @@ class Detection:
         return self._data.reason
 
     def write(self, output=None, *, write_field=None, html=None, html_every=None, vtk=None, glb=None, plot=None,
-              png=None, frame=None, png_size=None, png_background=None, view=None, up=None, vertex_map=None,
-              no_sync=False):
+              png=None, frame=None, png_size=None, png_background=None, view=None, up=None, views=None, view_map=None,
+              vertex_map=None, no_sync=False):
         """Writes files, as the program ``detect_features`` does: all of them or none.
 
         Parameters
@@ -130,7 +130,11 @@ class Detection:
         frame : int or sequence of int, optional
             the frames of the picture, by default those of the strongest features.
         png_size, png_background, view, up : str, optional
-            "1600x1000", "ffffff"; "AZIMUTH,ELEVATION" in degrees; "x", "y" or "z".
+            "1600x1000", "ffffff"; "auto", "front", "back", "left", "right", "top", "bottom" or "AZIMUTH,ELEVATION" in
+            degrees; "x", "y" or "z".
+        views, view_map : path, optional
+            the views that show most of the features, with a camera's path over the clip (JSON); a map of what views
+            from all sides show of them (.svg, .pdf, .png).
         vertex_map : path, optional
             which vertices of the input the vertices here are made of (CSV).
         no_sync : bool
@@ -145,10 +149,9 @@ class Detection:
         """
         given = arguments(output=output, write_field=write_field, html=html, html_every=html_every, vtk=vtk, glb=glb,
                           plot=plot, png=png, frame=frame, png_size=png_size, png_background=png_background,
-                          view=view, up=up,
-                          vertex_map=vertex_map, no_sync=no_sync)
+                          view=view, up=up, views=views, view_map=view_map, vertex_map=vertex_map, no_sync=no_sync)
         if not any(a.startswith(("--output", "--write-field", "--html=", "--vtk", "--glb", "--plot", "--png=",
-                                 "--vertex-map")) for a in given):
+                                 "--views=", "--view-map=", "--vertex-map")) for a in given):
             raise TypeError("write() needs a file to write")
         self._data.write(given)
 

@@ -39,6 +39,7 @@ class Detection:
               plot: Optional[PathLike] = ..., png: Optional[PathLike] = ...,
               frame: Union[None, int, Sequence[int]] = ..., png_size: Optional[str] = ...,
               png_background: Optional[str] = ..., view: Optional[str] = ..., up: Optional[str] = ...,
+              views: Optional[PathLike] = ..., view_map: Optional[PathLike] = ...,
               vertex_map: Optional[PathLike] = ..., no_sync: bool = ...) -> None: ...
 
 def detect(frames: Frames, faces: Optional[ArrayLike] = ..., *, frame_duration: Optional[float] = ...,

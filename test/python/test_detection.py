@@ -177,7 +177,7 @@ def test_options_are_those_of_the_program():
     """every option of the command line is a keyword of the same name, and no keyword is missing in the documentation"""
     usage = subprocess.run([program("DETECT_FEATURES"), "--help"], capture_output=True, text=True, check=True).stdout
     options = {o.replace("-", "_") for o in re.findall(r"^ *(?:-\w \[ )?--([a-z-]+)", usage, re.MULTILINE)}
-    options -= {"help", "version", "quiet", "verbose"}
+    options -= {"help", "version", "quiet", "verbose", "man", "completion"}  # what concerns a terminal
     keywords = set()
     for function in (amf.detect, amf.read_animation, amf.Detection.write):
         parameters = inspect.signature(function).parameters

@@ -55,6 +55,8 @@ def test_field_of_ones_own(cylinder, result, tmp_path):
 
 def test_scenes(result, tmp_path):
     result.write(glb=tmp_path / "s.glb", vtk=tmp_path / "scene")
+    result.write(views=tmp_path / "views.json")
+    assert json.loads((tmp_path / "views.json").read_text())
     assert (tmp_path / "s.glb").read_bytes()[:4] == b"glTF" and (tmp_path / "scene" / "features.pvd").exists()
     try:
         result.write(png=tmp_path / "s.png", plot=tmp_path / "s.svg", frame=[3, 7], png_size="320x200", view="-30,10")
