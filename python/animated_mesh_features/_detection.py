@@ -23,6 +23,7 @@ from ._options import arguments, documented
 #: deformed. fit: the correlation with the Gaussian. strength: amplitude times fit. place (int64): features at one place
 #: at different times share a number. parent (int64): the rank of a stronger feature of another scale in which this one
 #: lies, -1 if there is none. at_scale_limit (bool): found at the smallest or largest scale searched.
+#: Ranks and places are counted from 0, as rows of the array are; in files, from 1.
 feature_dtype = _core.feature_dtype
 
 _FIELDS = ("strain", "curvature", "deformation")

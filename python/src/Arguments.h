@@ -17,8 +17,8 @@
 
 namespace Python_module {
 
-// Options as the command line has them, "--name=value": keywords of Python become such texts, so that they mean the same as
-// there, have the same defaults, and are refused in the same words.
+// Options as the command line has them, "--name=value": keywords of Python become such texts, so that they mean the same
+// as there, have the same defaults, and are refused in the same words.
 typedef std::vector<std::string> Arguments;
 
 struct Options

@@ -19,8 +19,8 @@
 
 namespace Python_module {
 
-// Tells a Python callable of the progress, `visitor(stage, fraction)`, which cancels by returning False or by an exception,
-// and looks whether Ctrl-C was pressed. Computing goes on without Python's lock, which is taken for each call only.
+// Tells a Python callable of the progress, `visitor(stage, fraction)`, which cancels by returning False or by an
+// exception, and looks whether Ctrl-C was pressed. Computing goes on without Python's lock, which is taken for each call only.
 class Python_monitor : public Programs::Monitor
 {
 public:

@@ -21,7 +21,8 @@ namespace AMF = CGAL::Animated_mesh_features;
 
 // In C order, as the package's Python files hand them over.
 typedef pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast> Points_array;   // N x 3
-typedef pybind11::array_t<std::int64_t, pybind11::array::c_style | pybind11::array::forcecast> Faces_array; // T x 3 or more
+// T x 3 or more
+typedef pybind11::array_t<std::int64_t, pybind11::array::c_style | pybind11::array::forcecast> Faces_array;
 
 // Whatever has a surface at rest.
 class Shape_data

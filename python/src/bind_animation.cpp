@@ -111,7 +111,8 @@ void bind_animation(py::module_& m)
       .def("trajectories", &trajectories)
       .def_property_readonly("positions", &positions)
       .def_property_readonly("vertex_of_input", &vertex_of_input)
-      .def_property_readonly("number_of_frames", [](const Animation_data& a) { return a.sequence().number_of_frames(); })
+      .def_property_readonly("number_of_frames",
+                             [](const Animation_data& a) { return a.sequence().number_of_frames(); })
       .def_property_readonly("number_of_vertices",
                              [](const Animation_data& a) { return a.sequence().number_of_vertices(); })
       .def_property_readonly("fps", [](const Animation_data& a) { return a.animation().frames_per_second(); })

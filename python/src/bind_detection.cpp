@@ -167,12 +167,14 @@ py::object field(const py::object& self, const std::string& kind)
 void bind_detection(py::module_& m)
 {
   py::class_<Detection_data, std::shared_ptr<Detection_data>>(m, "DetectionData")
-      .def_property_readonly("features", [](const Detection_data& d) { return array_of_features(d.detection().features); })
+      .def_property_readonly("features",
+                             [](const Detection_data& d) { return array_of_features(d.detection().features); })
       .def("field", &field)
       .def("write", &Detection_data::write, py::call_guard<py::gil_scoped_release>())
       .def_property_readonly("description", [](const Detection_data& d) { return dictionary_of(d.description()); })
       .def_property_readonly("reason", &Detection_data::reason)
-      .def_property_readonly("number_of_minima", [](const Detection_data& d) { return d.detection().number_of_minima; })
+      .def_property_readonly("number_of_minima",
+                             [](const Detection_data& d) { return d.detection().number_of_minima; })
       .def_property_readonly("sigma_levels",
                              [](const Detection_data& d) { return array_of_numbers(d.detection().scales.sigma_levels); })
       .def_property_readonly("tau_levels",
