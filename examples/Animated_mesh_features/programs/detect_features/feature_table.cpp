@@ -23,7 +23,7 @@ std::string feature_table(const std::vector<Programs::Feature>& features, std::s
     const Programs::Feature& f = features[i];
     char line[160];
     std::snprintf(line, sizeof line, "%4zu  %10.4g  %5zu  %7zu  %11.4g%c  %17.4g  %9.4g  %4.2f  %5zu\n", i + 1, f.time,
-                  f.frame, f.vertex_index, f.sigma, f.at_scale_limit ? '*' : ' ', f.tau, f.amplitude, f.fit, f.place);
+                  f.frame, f.vertex_index, f.sigma, f.at_scale_limit ? '*' : ' ', f.tau, f.amplitude, f.fit, f.place + 1);
     has_limits |= f.at_scale_limit;
     table += line;
   }
