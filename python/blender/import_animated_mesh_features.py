@@ -156,7 +156,8 @@ def field_at(values, frame):
     last = values.shape[1] - 1
     frame = min(max(frame, 0.0), float(last))
     i = min(int(frame), max(last - 1, 0))
-    return values[:, i] + (frame - i) * (values[:, min(i + 1, last)] - values[:, i])
+    share = frame - i
+    return (1 - share) * values[:, i] + share * values[:, min(i + 1, last)]
 
 
 def field_colours(values, top, frame):
