@@ -142,8 +142,8 @@ simplifies an animated mesh, for all of its frames at once: one coarse connectiv
 vertices follow those of the original. See `Animation_collapse` for the method, `simplification_errors()` for what it
 costs.
 
-Topology stays: closed surfaces stay closed, each component keeps its genus and its borders. No triangle turns over in
-any frame, where it has not in the original.
+Topology stays: closed surfaces stay closed, each component keeps its genus and its borders. No collapse turns a
+triangle over in any frame; a few coarse triangles may still look away from the original around them.
 
 \tparam Animation a model of `MeshAnimation`.
 \tparam Guidance a model of `CollapseGuidance`.

@@ -145,7 +145,7 @@ public:
     const float *const px = c.normals[0].data(), *const py = c.normals[1].data(), *const pz = c.normals[2].data();
     const float *const qx = m_normals.row(b, 0), *const qy = m_normals.row(b, 1), *const qz = m_normals.row(b, 2);
     const float *const rx = m_normals.row(d, 0), *const ry = m_normals.row(d, 1), *const rz = m_normals.row(d, 2);
-    const float least = float(m_settings.least_cosine * m_settings.least_cosine);
+    const float least = float(m_settings.least_cosine);
     const std::size_t columns = m_current.number_of_columns();
     int bad = 0;
     for (std::size_t f = 0; f < columns; ++f) {
@@ -161,7 +161,8 @@ public:
       const int against = int(sx * wx + sy * wy + sz * wz < 0) & int(sx * ox + sy * oy + sz * oz >= 0);
       const int was_flat = int(old_area <= 1e-12f * side * side);
       const int turns =
-          int(dot <= 0) | int(dot * dot < least * old_area * area) | int(area <= 1e-10f * side * side) | against;
+          int(dot <= 0) | int(dot < least * (std::sqrt(old_area) * std::sqrt(area))) |
+          int(area <= 1e-10f * side * side) | against;
       bad |= turns & (1 - was_flat);
     }
     return bad != 0;
