@@ -23,8 +23,8 @@ struct Alignment_options
 {
   double mean_weight = 1;       ///< of the mean deformation
   double recurrence_weight = 0; ///< of the differences from times before and after, which a warp of time changes, too
-  double recurrence_without_places = 0.3; ///< the same, at least, where nothing is known of places
-  double place_weight = 3;                ///< of the deformation by place, if both animations have it
+  double recurrence_without_places = 3; ///< the same, at least, where nothing is known of places
+  double place_weight = 3;              ///< of the deformation by place, if both animations have it
 
   /// how much faster one of the two may run than the other, for a time.
   std::size_t max_slope = 3;
