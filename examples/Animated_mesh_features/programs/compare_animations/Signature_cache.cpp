@@ -107,7 +107,7 @@ void add_options(const Item& item, const Settings& s, Hash& hash)
      << text_of(r.frames_per_second) << '\n'
      << r.as_given << r.triangulate << r.repair << int(r.weld) << r.skip_bad_frames << r.there_and_back << '\n'
      << r.clip << '\n'
-     << text_of(r.clip_frames) << '\n'
+     << text_of(r.clip_frames) << ' ' << (r.frame_range ? r.frame_range->text : "") << '\n'
      << r.faces_dataset << '\n'
      << int(r.rest.kind) << ' ' << r.rest.frame << ' ' << r.rest.rescale << '\n'
      << text_of(s.method.threshold) << ' ' << text_of(s.method.relative_threshold) << ' ' << text_of(s.method.min_fit)

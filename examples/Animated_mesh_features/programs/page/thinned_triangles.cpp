@@ -124,8 +124,11 @@ private:
       if (n < tries.size()) tries[n++] = c;
       else if (const auto worst = std::max_element(tries.begin(), tries.end()); c.cost < worst->cost) *worst = c;
     }
-    std::sort(tries.begin(), tries.begin() + std::ptrdiff_t(n),
-              [](const Collapse& a, const Collapse& b) { return a.cost != b.cost ? a.cost < b.cost : a.to < b.to; });
+    const auto is_before = [](const Collapse& a, const Collapse& b) {
+      return a.cost != b.cost ? a.cost < b.cost : a.to < b.to;
+    };
+    for (std::size_t i = 1; i < n; ++i) // so few that this is the fastest way to sort them
+      for (std::size_t j = i; j > 0 && is_before(tries[j], tries[j - 1]); --j) std::swap(tries[j], tries[j - 1]);
     for (std::size_t i = 0; i < n; ++i) {
       Collapse c = tries[i];
       if (!(c.cost < best.cost) || !keeps_topology(v, c.to) || turns_over(v, c.to)) continue;
