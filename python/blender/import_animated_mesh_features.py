@@ -36,7 +36,6 @@ import numpy as np
 from bpy.app.handlers import persistent
 from bpy.props import BoolProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
-from mathutils import Matrix, Vector
 
 FORMAT, VERSION = "animated-mesh-features", 1
 LIFE = 2  # taus before and after a feature's time in which it is there, as in all outputs of detect_features
@@ -226,7 +225,7 @@ def key_life(thing, feature, rate, first):
             thing.keyframe_insert(path, frame=frame)
     for curve in curves_of(thing):
         for point in curve.keyframe_points:
-            point.interpolation = "CONSTANT"
+            point.interpolation = "CONSTANT" if curve.data_path.startswith("hide") else "LINEAR"
 
 
 def curves_of(thing):
@@ -271,33 +270,24 @@ def check_modifiers(context, surface):
 
 
 def put_on_surface(context, features, things, surface, rate, first):
-    """Parents each sphere to its triangle, and puts it where the feature is in it, in the frame of its time."""
+    """Keys the place of each sphere on the moving surface in all frames of its life; spheres go where the object goes."""
     scene, frame_before = context.scene, context.scene.frame_current
+    scale = sum(abs(s) for s in surface.matrix_world.to_scale()) / 3
+    alive = {}
     for thing, feature in zip(things, features):
         thing.parent = surface
-        a, b, c = feature["triangle"]
-        if len({a, b, c}) == 3:
-            thing.parent_type = "VERTEX_3"
-            thing.parent_vertices = (a, b, c)
-        else:
-            thing.parent_type = "VERTEX"
-            thing.parent_vertices = (a, a, a)
-    for frame, group in grouped_by_frame(features, things, rate, first):
+        thing.scale = [s / scale for s in thing.scale]
+        begin, end = life(feature, rate, first)
+        for frame in range(begin, end):
+            alive.setdefault(frame, []).append((thing, feature))
+    for frame, group in sorted(alive.items()):
         scene.frame_set(frame)
-        evaluated = surface.evaluated_get(context.evaluated_depsgraph_get())
-        to_world = evaluated.matrix_world
+        points = surface.evaluated_get(context.evaluated_depsgraph_get()).data.vertices
         for thing, feature in group:
-            corners = [to_world @ evaluated.data.vertices[v].co for v in feature["triangle"]]
-            size = thing.scale.x
-            thing.matrix_world = Matrix.Translation(Vector(mixed_point(corners, feature["barycentric_coordinates"]))) @ Matrix.Scale(size, 4)
+            corners = [points[v].co for v in feature["triangle"]]
+            thing.location = mixed_point(corners, feature["barycentric_coordinates"])
+            thing.keyframe_insert("location", frame=frame)
     scene.frame_set(frame_before)
-
-
-def grouped_by_frame(features, things, rate, first):
-    frames = {}
-    for thing, feature in zip(things, features):
-        frames.setdefault(round(scene_frame(feature["time"], rate, first)), []).append((thing, feature))
-    return sorted(frames.items(), key=lambda item: item[0])
 
 
 def add_features(context, path, surface=None):

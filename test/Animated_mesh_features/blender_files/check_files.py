@@ -46,7 +46,6 @@ module("bpy.app.handlers", persistent=lambda f: f)
 module("bpy.props", BoolProperty=lambda **_: None, StringProperty=lambda **_: None)
 module("bpy_extras")
 module("bpy_extras.io_utils", ImportHelper=type("ImportHelper", (), {}))
-module("mathutils", Matrix=None, Vector=None)
 
 addon_path, features_path, field_path = sys.argv[1:]
 spec = importlib.util.spec_from_file_location("addon", addon_path)

@@ -166,8 +166,8 @@ std::string usage()
   std::ostringstream os;
   os << "Usage: simplify_animation INPUT... --ratio R -o BASE [options]\n\n"
      << Programs::input_help() << R"(
-Collapses edges of the mesh where that changes the surface least, in all poses together; no triangle turns over in any
-frame. Every vertex that is left follows a few vertices of the original by weights, in every frame.
+Collapses edges of the mesh where that changes the surface least, in all poses together; no collapse turns a triangle over
+in any frame. Every vertex that is left follows a few vertices of the original by weights, in every frame.
 
 The table, the report and the plot tell how far each level is from the original: mean distances both ways, their worst
 frame, and the Hausdorff distance of samples, in % of the diagonal of the rest shape's bounding box.
