@@ -243,6 +243,18 @@ void test_moved_far_away()
   const auto n = simplified(near_animation, wanted({40})), f = simplified(far_animation, wanted({40}));
   const double e = Amf::worst_frame(errors(near_animation, n.levels[0])).mean();
   CHECK_NEAR(Amf::worst_frame(errors(far_animation, f.levels[0])).mean(), e, .05 * e);
+  // nor does the unit matter, as far as single precision goes
+  for (double unit : {1e-12, 1e12}) {
+    Shape small = s;
+    small.points = mapped(s.points, [&](const Vec& p) { return Vec(unit * p); });
+    std::vector<Points> scaled;
+    for (const Points& p : frames) scaled.push_back(mapped(p, [&](const Vec& q) { return Vec(unit * q); }));
+    const Animation a(small, scaled);
+    const auto result = simplified(a, wanted({40}));
+    const auto worst = Amf::worst_frame(errors(a, result.levels[0]));
+    CHECK(result.levels[0].binding.size() == 40 && worst.turned == 0);
+    CHECK_NEAR(worst.mean() / unit, e, .05 * e);
+  }
 }
 
 // The distances of two sheets at a known distance; of one that is turned over.

@@ -172,7 +172,7 @@ public:
   /// the frames whose quadrics are summed.
   const std::vector<std::size_t>& poses() const { return m_poses; }
 
-  /// the cost of an edge (a volume to the power of 4/3: squared length times area, summed over poses).
+  /// the cost of an edge: squared length times area, summed over poses, in the unit of the rest shape's diameter.
   auto cost()
   {
     return [this](const auto& profile, const auto&) {

@@ -58,7 +58,8 @@ public:
                  const std::vector<std::size_t>& columns, std::size_t poses, const std::vector<char>& is_fixed,
                  const Settings& settings, const Weight& weight, const Loop& loop)
     : m_settings(settings)
-    , m_original(rest, trajectories, columns)
+    , m_unit(rest.diameter() > 0 ? rest.diameter() : 1)
+    , m_original(rest, trajectories, columns, m_unit)
     , m_current(m_original)
     , m_normals(m_original)
     , m_quadrics(rest.number_of_vertices(), poses)
@@ -160,9 +161,8 @@ public:
       const float sx = px[f] + qx[f] + rx[f], sy = py[f] + qy[f] + ry[f], sz = pz[f] + qz[f] + rz[f];
       const int against = int(sx * wx + sy * wy + sz * wz < 0) & int(sx * ox + sy * oy + sz * oz >= 0);
       const int was_flat = int(old_area <= 1e-12f * side * side);
-      const int turns =
-          int(dot <= 0) | int(dot < least * (std::sqrt(old_area) * std::sqrt(area))) |
-          int(area <= 1e-10f * side * side) | against;
+      const int turns = int(dot <= 0) | int(dot < least * (std::sqrt(old_area) * std::sqrt(area))) |
+                        int(area <= 1e-10f * side * side) | against;
       bad |= turns & (1 - was_flat);
     }
     return bad != 0;
@@ -171,11 +171,12 @@ public:
   // where the new vertex is at rest, relative to the mean of all vertices
   std::array<double, 3> rest_point(const Collapse& c) const
   {
-    return {{double(c.rows[0].back()), double(c.rows[1].back()), double(c.rows[2].back())}};
+    return {{m_unit * double(c.rows[0].back()), m_unit * double(c.rows[1].back()), m_unit * double(c.rows[2].back())}};
   }
   std::array<double, 3> rest_point(std::size_t v) const
   {
-    return m_current.point(v, m_current.number_of_columns() - 1);
+    const std::array<double, 3> p = m_current.point(v, m_current.number_of_columns() - 1);
+    return {{m_unit * p[0], m_unit * p[1], m_unit * p[2]}};
   }
 
   // The vertex `kept` takes the place of both.
@@ -414,6 +415,7 @@ private:
   static constexpr double weight_ridge = 1e-4; // of the mean diagonal
 
   Settings m_settings;
+  double m_unit; // of all that follows
   Pose_positions m_original, m_current;
   Pose_positions m_normals; // of the original around what each vertex has taken the place of, as long as areas
   Pose_quadrics m_quadrics;

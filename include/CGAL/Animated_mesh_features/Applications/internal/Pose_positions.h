@@ -20,7 +20,8 @@ namespace internal {
 
 // Where vertices are in each column: the poses first, then the other frames, then the rest shape. The coordinates of
 // a vertex are contiguous over the columns. Each column is relative to its own mean, so that a body that walks away
-// loses no digits; single precision, which is that of caches, is then a ten-millionth of the body.
+// loses no digits, and to a unit, which is to be the size of the body, so that no product leaves the range of numbers;
+// single precision, which is that of caches, is then a ten-millionth of the body.
 class Pose_positions
 {
 public:
@@ -28,7 +29,7 @@ public:
 
   template <class FT>
   Pose_positions(const Rest_shape& rest, const Vertex_trajectories<FT>& trajectories,
-                 const std::vector<std::size_t>& columns)
+                 const std::vector<std::size_t>& columns, double unit)
     : m_columns(columns.size() + 1)
     , m_values(3 * m_columns * rest.number_of_vertices())
   {
@@ -45,7 +46,7 @@ public:
     for (std::size_t v = 0; v < n; ++v)
       for (int axis = 0; axis < 3; ++axis)
         for (std::size_t c = 0; c < m_columns; ++c)
-          row(v, axis)[c] = float(value(v, axis, c) - sums[axis * m_columns + c]);
+          row(v, axis)[c] = float((value(v, axis, c) - sums[axis * m_columns + c]) / unit);
   }
 
   std::size_t number_of_columns() const { return m_columns; }
