@@ -27,7 +27,7 @@ trap 'give_back "$root/build" "$root/demo_output"' EXIT
 say "Building; this takes a few minutes the first time"
 configure build/demo -DCMAKE_BUILD_TYPE=Release \
   -DANIMATED_MESH_FEATURES_BUILD_TESTS=OFF -DANIMATED_MESH_FEATURES_BUILD_EXAMPLES=OFF
-build build/demo
+cmake --build build/demo --parallel "$(job_count)" --target detect_features make_animation
 programs="$root/build/demo/examples/Animated_mesh_features/programs"
 
 mkdir -p demo_output
