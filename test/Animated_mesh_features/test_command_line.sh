@@ -542,8 +542,8 @@ cp x.json everything.json
 check 'min(f["fit"] for f in base["features"]) >= 0.5 == p(base)["min_fit"] > min(f["fit"] for f in x["features"])'
 check 'all(near(f["strength"], f["amplitude"] * max(0, f["fit"]), 1e-12) for f in x["features"])'
 check 'all(f["parent"] is None or f["parent"] < i for i, f in enumerate(x["features"]))'
-check 'sorted({f["place"] for f in x["features"]}) == list(range(1 + max(f["place"] for f in x["features"])))'
-check 'x["features"][0]["place"] == 0'
+check 'sorted({f["place"] for f in x["features"]}) == list(range(1, 1 + max(f["place"] for f in x["features"])))'
+check 'x["features"][0]["place"] == 1'
 find_features --threshold 0 --min-fit 1
 check 'x["features"] == []'
 grep -q -- "--min-fit 1" err || fail "no reason for finding nothing: $(cat err)"
@@ -598,7 +598,7 @@ done
 
 expect 0 "x.csv" c.obj c.pc2 --fps 10 -o x.json -o x.csv -o x.ply -o csv:table.txt -o ply:cloud
 check 'len(open("x.csv").readlines()) == len(base["features"]) + 1'
-check '[line.split(",")[0] for line in open("x.csv")][1:] == [str(f["vertex"]) for f in base["features"]]'
+check '[line.split(",")[1] for line in open("x.csv")][1:] == [str(f["vertex"]) for f in base["features"]]'
 cmp -s x.csv table.txt || fail "csv:FILE is another table"
 cmp -s x.ply cloud || fail "ply:FILE is another cloud"
 check '("element vertex %d\n" % len(base["features"])).encode() in open("x.ply", "rb").read()'

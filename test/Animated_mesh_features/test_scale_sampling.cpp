@@ -200,7 +200,7 @@ void test_default_ranges()
   const Amf::Fixed_ratio_sampling sampling;
   const Scale_levels levels = sampling(shape, 48, frame_duration, fine, temporal);
   const double size = shape.diameter();
-  const Amf::Scale_range sigma = {0.01 * size, 0.175 * size}, tau = {frame_duration, 16 * frame_duration};
+  const Amf::Scale_range sigma = {0.007 * size, 0.175 * size}, tau = {frame_duration, 16 * frame_duration};
   check_levels(levels.space_variances, sigma, sampling.sigma_ratio, 0,
                std::lround(std::log(sigma.max / sigma.min) / std::log(sampling.sigma_ratio)));
   check_levels(levels.time_variances, tau, sampling.tau_ratio, 0,

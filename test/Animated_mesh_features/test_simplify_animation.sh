@@ -152,7 +152,13 @@ def cache(name):
 bound, read = cache("coarse.pc2"), cache("read_back.pc2")
 assert len(bound) == len(read) and len(bound[0]) == len(read[0]), (len(bound), len(read))
 far = [max(math.dist(p, q) for p, q in zip(bound[f], read[f])) for f in range(len(bound))]
-assert far[0] < 1e-5 and max(far) < 0.1, far
+# blending at the joint moves a vertex that stands for several with other weights: by less than half of an edge, and few
+rest = [[float(x) for x in row.split()[1:4]] for row in open("coarse.obj") if row.startswith("v ")]
+faces = [[int(c.split("/")[0]) - 1 for c in row.split()[1:]] for row in open("coarse.obj") if row.startswith("f ")]
+edges = [math.dist(rest[t[i]], rest[t[i - 1]]) for t in faces for i in range(3)]
+last = sorted(math.dist(p, q) for p, q in zip(bound[-1], read[-1]))
+assert far[0] < 1e-5 and max(far) < 0.5 * sum(edges) / len(edges), (max(far), sum(edges) / len(edges))
+assert last[len(last) * 9 // 10] < 0.05, last
 data = open("coarse.glb", "rb").read()
 gltf = json.loads(data[20:20 + struct.unpack_from("<I", data, 12)[0]])
 assert gltf["animations"][0]["name"] == "bend" and gltf["nodes"][1]["name"] == "elbow"

@@ -20,7 +20,7 @@ enter_empty_folder
 "$program" c.obj c.pc2 --threshold 1e6 --quiet --glb nothing.glb || exit 1
 
 # read again, it is the body alone, with the same features; a program without the reader says so
-if "$program" scene.glb --fps 10 --rest first -o again.json 2>err >/dev/null; then
+if "$program" scene.glb --fps 10 --rest first -v -o again.json 2>err >/dev/null; then
   python3 - <<'PYTHON' || exit 1
 import json
 there, again, said = json.load(open("features.json")), json.load(open("again.json")), open("err").read()

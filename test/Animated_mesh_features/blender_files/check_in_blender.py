@@ -131,7 +131,7 @@ bpy.ops.import_scene.animated_mesh_features(filepath=features_path)
 loose = [c for c in bpy.data.collections if c.name.startswith("Features of ") and c != collection][0]
 for thing in loose.objects:
     feature = features[thing["rank"] - 1]
-    check(distance(thing.matrix_world.translation, feature["position"]) <= 1e-5 * diagonal, "the place without a mesh")
+    check(thing.parent is None and distance(thing.location, feature["position"]) <= 1e-5 * diagonal, "the place without a mesh")
     check(near(thing.scale.x, feature["radius"], 1e-5 * diagonal), "the radius without a mesh")
 for thing in list(loose.objects):
     bpy.data.objects.remove(thing)

@@ -35,7 +35,8 @@ struct Activity_options
   /// no more samples than that: the time and memory of an alignment grow with the product of both numbers.
   std::size_t max_samples = 20000;
 
-  /// \throw Option_error if a number is out of its range.
+  /// looks whether all numbers are in their ranges.
+  /// \throw Option_error if one is not.
   void check() const
   {
     if (!(sample_duration > 0) || !(lag_step > 0)) throw Option_error("the times of an activity must be positive");

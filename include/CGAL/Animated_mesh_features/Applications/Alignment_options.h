@@ -40,7 +40,8 @@ struct Alignment_options
   /// by how many rearrangements the confidence is found; 0: none, which is faster.
   std::size_t surrogates = 8;
 
-  /// \throw Option_error if a number is out of its range.
+  /// looks whether all numbers are in their ranges.
+  /// \throw Option_error if one is not.
   void check() const
   {
     for (double w : {mean_weight, recurrence_weight, recurrence_without_places, place_weight})

@@ -87,7 +87,7 @@ inline Pose_collapses::Settings collapse_settings(const Simplification_options& 
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesApplications
+\ingroup PkgAnimatedMeshFeaturesSimplification
 
 The policies with which `CGAL::Surface_mesh_simplification::edge_collapse()` simplifies an animated mesh: cost,
 placement, filter and visitor, which share this object. Any of \cgal's stop predicates goes with them.

@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesApplications
+\ingroup PkgAnimatedMeshFeaturesSimplification
 
 Every place matters as much as any other, at all times: the default.
 
@@ -36,7 +36,7 @@ struct Plain_guidance
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesApplications
+\ingroup PkgAnimatedMeshFeaturesSimplification
 
 Places matter more where and while features are: in a frame at time \f$t\f$, at the distance \f$d\f$ along edges from
 a feature of the amplitude \f$a\f$ (relative to the largest), by

@@ -17,7 +17,7 @@
 namespace CGAL {
 namespace Animated_mesh_features {
 /*!
-\ingroup PkgAnimatedMeshFeaturesApplications
+\ingroup PkgAnimatedMeshFeaturesSimplification
 
 Between which numbers of vertices a mesh can be simplified, whatever its shape.
 */

@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesApplications
+\ingroup PkgAnimatedMeshFeaturesSimplification
 
 How an animated mesh is simplified. The defaults are those that were measured, see the manual.
 */

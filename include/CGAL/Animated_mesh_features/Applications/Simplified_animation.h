@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesApplications
+\ingroup PkgAnimatedMeshFeaturesSimplification
 
 One level of detail of an animated mesh: triangles, and how their vertices follow those of the original. Its positions
 in a frame are `binding.positions(trajectories.frame(f))`, at rest `binding.positions(rest.points())`, and in any other
@@ -40,7 +40,7 @@ struct Animation_level
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesApplications
+\ingroup PkgAnimatedMeshFeaturesSimplification
 
 What `simplify_animation()` makes of an animation.
 */

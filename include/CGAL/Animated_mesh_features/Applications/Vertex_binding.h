@@ -19,7 +19,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesApplications
+\ingroup PkgAnimatedMeshFeaturesSimplification
 
 How the vertices of a coarse mesh follow those of a fine one: a sparse matrix of `M` rows, each of a few weights with
 sum 1, so that \f$\sum_i w_{vi}\,x_i\f$ moves with every translation, rotation and affine map of the vertices

@@ -32,7 +32,8 @@ struct Event_alignment_options
   double gap_opening = 0.4;    ///< what the first event costs that is skipped
   double gap_extension = 0.1;  ///< what each further one costs
 
-  /// \throw Option_error if a number is out of its range.
+  /// looks whether all numbers are in their ranges.
+  /// \throw Option_error if one is not.
   void check() const
   {
     difference.check();

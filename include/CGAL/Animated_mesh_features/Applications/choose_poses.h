@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesApplications
+\ingroup PkgAnimatedMeshFeaturesSimplification
 
 chooses frames that stand for all: first those that are preferred, then again and again the one that is farthest from
 all that were chosen (T. F. Gonzalez, Clustering to minimize the maximum intercluster distance, 1985, which is within

@@ -34,7 +34,8 @@ struct Event_gates
   double frames = 1.5;  ///< of the coarser frames, after the alignment; half of \f$\tau\f$ if that is more
   double factor = 2;    ///< the largest ratio of two values of \f$\sigma\f$, and of \f$\tau\f$
 
-  /// \throw Option_error if a number is out of its range.
+  /// looks whether all numbers are in their ranges.
+  /// \throw Option_error if one is not.
   void check() const
   {
     if (!(place >= 0) || !(profile >= 0) || !(frames >= 0) || !(factor >= 1))

@@ -57,13 +57,12 @@ struct View_options
   /// how many views are chosen. Default: 3.
   std::size_t most_views = 3;
 
-  /// \name Elevation
-  /// of the views that may be chosen (degrees). Default: all but those from so far above or below that an upright camera
-  /// would turn over.
-  /// @{
+  /// the least elevation of a view that may be chosen (degrees). Default: all but those from so far below that an upright
+  /// camera would turn over.
   double lowest_elevation = -80;
+
+  /// the largest elevation of a view that may be chosen (degrees). Default: as the least one, from above.
   double highest_elevation = 80;
-  /// @}
 };
 
 /*!
@@ -183,7 +182,10 @@ View_selection select_views(const Frame_sequence<TriangleMesh, FT>& animation, c
 chooses where to look at an animation from so that its features are seen, by a `Feature_view_score`, in the frames that
 `view_frames()` tells. Without features, an `Entropy_view_score` decides.
 
+\param animation whose surface is looked at.
 \param features a range of `Feature_point`.
+\param options how many views, from which elevations; see there.
+\param visitor is told of the stage `Stage::VIEWS`.
 \throw Input_error if a feature is not of the animation; Option_error, Cancelled as above.
 */
 template <class TriangleMesh, class FT, class FeatureRange>

@@ -27,7 +27,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesApplications
+\ingroup PkgAnimatedMeshFeaturesSimplification
 
 How far a simplified surface is from the original in one frame. Lengths are in the unit of the coordinates.
 */
@@ -52,7 +52,7 @@ struct Simplification_error
 };
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesApplications
+\ingroup PkgAnimatedMeshFeaturesSimplification
 
 What `simplification_errors()` measures.
 */
@@ -157,7 +157,7 @@ inline std::vector<double> look_at_corners(const Rest_shape& rest, const Measure
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesApplications
+\ingroup PkgAnimatedMeshFeaturesSimplification
 
 measures how far a simplified surface is from the original, in each frame. Both surfaces are sampled alike in all
 frames: at points that move with them.
@@ -249,7 +249,7 @@ simplification_errors(const Rest_shape& rest, const Vertex_trajectories<FT>& tra
 }
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesApplications
+\ingroup PkgAnimatedMeshFeaturesSimplification
 
 the frame in which the mean distance is largest; the first of several.
 \param errors at least one.

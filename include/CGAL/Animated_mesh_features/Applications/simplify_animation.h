@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesApplications
+\ingroup PkgAnimatedMeshFeaturesSimplification
 
 Nobody watches a simplification.
 */
@@ -136,7 +136,7 @@ Animation_level level_of(const Collapsed_mesh& mesh, const Collapse& collapse)
 } // namespace internal
 
 /*!
-\ingroup PkgAnimatedMeshFeaturesApplications
+\ingroup PkgAnimatedMeshFeaturesSimplification
 
 simplifies an animated mesh, for all of its frames at once: one coarse connectivity, or several, nested, whose
 vertices follow those of the original. See `Animation_collapse` for the method, `simplification_errors()` for what it

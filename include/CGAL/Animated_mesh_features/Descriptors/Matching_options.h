@@ -56,7 +56,8 @@ struct Matching_options
   /// whether mirror images are told apart by places on the rest shapes.
   bool use_handedness = true;
 
-  /// \throw Option_error if a number is out of its range.
+  /// looks whether all numbers are in their ranges.
+  /// \throw Option_error if one is not.
   void check() const
   {
     if (candidates == 0) throw Option_error("a feature needs at least one candidate");

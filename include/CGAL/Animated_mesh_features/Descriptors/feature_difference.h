@@ -55,6 +55,7 @@ inline double feature_difference(const Described_features& a, std::size_t i, con
 /*!
 \ingroup PkgAnimatedMeshFeaturesDescriptors
 
+tells which features are the strongest.
 \returns the ranks of the `top` strongest features, strongest first; of equally strong ones the first.
 */
 inline std::vector<std::size_t> strongest_features(const std::vector<Feature_point>& features, std::size_t top)
