@@ -64,15 +64,14 @@ stage_sanitizers()
 {
   local compiler
   find_compiler address,undefined || return
-  # CGAL's headers give g++ false alarms when it instruments them, thus no errors from its warnings. The real animations go
-  # through the same code as the small ones, but would take a quarter of an hour.
+  # CGAL's headers give g++ false alarms when it instruments them, thus no errors from its warnings.
   # The viewer runs in a browser, where no sanitizer sees it; its page was made in the first stage, and the manual, too. The
   # short examples call what the tests call.
   configure build/sanitizers -DCMAKE_CXX_COMPILER=$compiler \
     "-DANIMATED_MESH_FEATURES_VIEWER_BUNDLE=$([ ! -f build/gcc/viewer/viewer.html ] || echo "$root/build/gcc/viewer/viewer.html")" \
     -DANIMATED_MESH_FEATURES_SANITIZE=address,undefined -DANIMATED_MESH_FEATURES_BUILD_EXAMPLES=OFF \
     -DANIMATED_MESH_FEATURES_WERROR="$([ $compiler = clang++ ] && echo ON || echo OFF)" &&
-    build_and_run build/sanitizers --exclude-regex '^consumer_|^test_real_animations$|^test_viewer_|^test_manual_'
+    build_and_run build/sanitizers --exclude-regex '^consumer_|^test_viewer_|^test_manual_'
 }
 
 # Only those tests that run anything in parallel.
