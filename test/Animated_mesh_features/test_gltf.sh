@@ -153,8 +153,9 @@ fist=(--clip Fist --there-and-back --quiet)
 "${compare[@]}" mirror hand.glb mirrored.glb || fail "mirroring"
 expect 0 "" mirrored.glb "${fist[@]}" --rest first -o mirrored.json
 "${compare[@]}" exact x.json mirrored.json || fail "a mirror image has other features"
-# at scales at which the meshes of the two hands, which are not the same, resolve the same
-longer=(--threshold 0.05 --min-fit 0.4 --sigma-range 1%:)
+# from scales on at which the meshes of the two hands, which are not the same, resolve the same
+fist+=(--sigma-range 1%:)
+longer=(--threshold 0.05 --min-fit 0.4)
 expect 0 "" hand.glb "${fist[@]}" "${longer[@]}" -o right.json
 expect 0 "" left.glb "${fist[@]}" "${longer[@]}" -o left.json
 for hand in right left; do
