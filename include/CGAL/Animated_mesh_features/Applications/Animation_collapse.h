@@ -176,14 +176,14 @@ public:
   auto cost()
   {
     return [this](const auto& profile, const auto&) {
-      return internal::Collapse_optional<typename std::decay_t<decltype(profile)>::FT>(cost_of(profile.v0_v1()));
+      return internal::Collapse_optional<typename std::decay_t<decltype(profile)>::FT>(this->cost_of(profile.v0_v1()));
     };
   }
 
   /// where the vertex is at rest that an edge becomes.
   auto placement()
   {
-    return [this](const auto& profile) { return internal::Collapse_optional<Point>(place(profile)); };
+    return [this](const auto& profile) { return internal::Collapse_optional<Point>(this->place(profile)); };
   }
 
   /// refuses what would turn a triangle over in any frame.
@@ -191,7 +191,7 @@ public:
   {
     return [this](const auto& profile, const auto& placement) {
       typedef std::decay_t<decltype(placement)> Placement;
-      return is_allowed(profile) ? placement : Placement();
+      return this->is_allowed(profile) ? placement : Placement();
     };
   }
 
