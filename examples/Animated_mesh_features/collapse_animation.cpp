@@ -28,15 +28,9 @@ namespace AMF = CGAL::Animated_mesh_features;
 namespace SMS = CGAL::Surface_mesh_simplification;
 typedef CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> Mesh;
 #if CGAL_VERSION_NR >= 1050600000
-SMS::Edge_count_ratio_stop_predicate<Mesh> stop_at(double ratio, const Mesh& mesh)
-{
-  return SMS::Edge_count_ratio_stop_predicate<Mesh>(ratio, mesh);
-}
+typedef SMS::Edge_count_ratio_stop_predicate<Mesh> Stop;
 #else
-SMS::Count_ratio_stop_predicate<Mesh> stop_at(double ratio, const Mesh&)
-{
-  return SMS::Count_ratio_stop_predicate<Mesh>(ratio);
-}
+typedef SMS::Count_ratio_stop_predicate<Mesh> Stop;
 #endif
 
 int main()
@@ -54,7 +48,7 @@ int main()
   const auto cost = collapse.cost();
   const auto placement = collapse.placement();
   const auto filter = collapse.filter();
-  SMS::edge_collapse(mesh, stop_at(.1, mesh),
+  SMS::edge_collapse(mesh, Stop(.1),
                      CGAL::parameters::get_cost(cost).get_placement(placement).filter(filter).visitor(
                          collapse.visitor(SMS::Edge_collapse_visitor_base<Mesh>())));
 
