@@ -159,6 +159,7 @@ void test_vtk_folder()
   CHECK(folder.number_of_entries() == 1);
   CHECK(folder.read("new/surface_0019.vtp")
             .find("Name=\"a &lt;field&gt; &amp; &quot;b&quot; \xef\xbf\xbd\xef\xbf\xbd\"") != std::string::npos);
+  CHECK(folder.read("new/show_in_paraview.py").find("\"a <field> & \\\"b\\\" \\ufffd\\ufffd\"") != std::string::npos);
   CHECK(folder.read("new/features_0003.vtp").find("NumberOfPoints=\"0\"") != std::string::npos);
   CHECK(folder.read("new/surface.pvd").find("timestep=\"0.5\"") != std::string::npos);
 

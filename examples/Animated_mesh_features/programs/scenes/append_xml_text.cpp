@@ -21,13 +21,23 @@ std::string valid_utf8(const std::string& text)
 
 } // namespace
 
-void append_xml_text(std::string& xml, const std::string& text)
+std::string xml_characters(const std::string& text)
 {
+  std::string result;
   for (const char c : valid_utf8(text)) {
     const bool is_control = static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n';
     if (is_control)
-      xml += "\xef\xbf\xbd";
-    else if (c == '&')
+      result += "\xef\xbf\xbd";
+    else
+      result += c;
+  }
+  return result;
+}
+
+void append_xml_text(std::string& xml, const std::string& text)
+{
+  for (const char c : xml_characters(text)) {
+    if (c == '&')
       xml += "&amp;";
     else if (c == '<')
       xml += "&lt;";

@@ -11,8 +11,11 @@
 
 namespace Programs {
 
-// A text for the content of an XML element or an attribute in double quotes. Names may be any bytes; what is not UTF-8,
-// and the control characters that XML cannot hold, become U+FFFD.
+// The text as a reader of the XML finds it. Names may be any bytes; what is not UTF-8, and the control characters that XML
+// cannot hold, become U+FFFD.
+std::string xml_characters(const std::string& text);
+
+// xml_characters(text) for the content of an XML element or an attribute in double quotes.
 void append_xml_text(std::string& xml, const std::string& text);
 
 } // namespace Programs

@@ -7,6 +7,7 @@
 #include "scenes/paraview_script.h"
 
 #include "rendering/Palette.h"
+#include "scenes/append_xml_text.h"
 #include "scenes/colour_scales.h"
 
 #include <nlohmann/json.hpp>
@@ -148,7 +149,7 @@ std::string paraview_script(const Shown_scene& scene)
 {
   nlohmann::json field, top = 1.;
   if (!scene.fields.empty()) {
-    field = scene.fields.front().name;
+    field = xml_characters(scene.fields.front().name); // as the reader of surface.pvd finds it
     const double end = top_of_scale(*scene.fields.front().values);
     if (end > 0) top = end;
   }
