@@ -74,16 +74,16 @@ function(animated_mesh_features_keep_checks target)
   endif()
 endfunction()
 
-# animated_mesh_features_check(<target>): for examples and tests, all checks. Under sanitizers, with which compilers are
-# slow, they share the compiled library; without, each of them compiles what it uses.
+# animated_mesh_features_check(<target>): for examples and tests, all checks. They share the compiled library, with the same
+# checks, in place of compiling the same detection each; one that is to be installed has none, and is not theirs.
 function(animated_mesh_features_check target)
   animated_mesh_features_keep_checks(${target})
-  if(ANIMATED_MESH_FEATURES_SANITIZE)
+  if(NOT ANIMATED_MESH_FEATURES_BUILD_COMPILED)
     target_link_libraries(${target} PRIVATE Animated_mesh_features_compiled)
   endif()
 endfunction()
 
-if(ANIMATED_MESH_FEATURES_SANITIZE)
+if(NOT ANIMATED_MESH_FEATURES_BUILD_COMPILED)
   animated_mesh_features_set_up(Animated_mesh_features_compiled)
   animated_mesh_features_keep_checks(Animated_mesh_features_compiled)
 endif()
