@@ -11,6 +11,7 @@
 #include <CGAL/Animated_mesh_features/IO/Animation_file_data.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Point_set_index.h>
 #include <CGAL/Animated_mesh_features/IO/internal/frame_position.h>
+#include <CGAL/Animated_mesh_features/IO/internal/noise_of_frames.h>
 
 #include <algorithm>
 #include <array>
@@ -31,46 +32,48 @@ namespace internal {
 struct Edge_comparison
 {
   std::size_t frame = 0;
-  double ratio = 1;      // median of the lengths in the frame over those in the mesh
-  double share_off = 0;  // of the edges whose own ratio is more than twice or less than half of that
+  double length = 0;     // median in the frame
+  double ratio = 1;      // median of the lengths in the frame, without what noise adds, over those in the mesh
+  double share_off = 0;  // of the edges that are more than twice as long as that ratio says, or less than half
   std::size_t edges = 0; // that have a length in both
 };
 
+// Noise of standard deviation s in each coordinate of both ends adds 6 s^2 to the square of an edge's length in the mean,
+// and moves 99 % of the edges by less than 4.8 s (the quantile of a normal vector in space, 3.37, times sqrt 2).
 template <class FT>
-Edge_comparison compare_edges(const Animation_file_data<FT>& data, std::size_t f)
+Edge_comparison compare_edges(const Animation_file_data<FT>& data, const Edge_sample& sample, std::size_t f, double noise)
 {
-  const std::size_t most_edges = 30000; // of a larger mesh every second, third...
-  const std::size_t corners = 3 * data.mesh.triangles.size(), step = corners / most_edges + 1;
-  std::vector<double> logs;
-  for (std::size_t c = 0; c < corners; c += step) {
-    const std::array<std::size_t, 3>& t = data.mesh.triangles[c / 3];
-    const std::size_t v = t[c % 3], w = t[(c + 1) % 3];
-    const double in_mesh = distance(data.mesh.points[v], data.mesh.points[w]);
-    const double in_frame = distance(position(data, v, f), position(data, w, f));
-    if (in_mesh > 0 && in_frame > 0) logs.push_back(std::log(in_frame / in_mesh));
-  }
   Edge_comparison result;
   result.frame = f;
-  result.edges = logs.size();
-  if (logs.empty()) return result;
-  const auto middle = logs.begin() + std::ptrdiff_t(logs.size() / 2);
-  std::nth_element(logs.begin(), middle, logs.end());
-  const double median = *middle, off = std::log(2.);
-  result.ratio = std::exp(median);
-  result.share_off =
-      double(std::count_if(logs.begin(), logs.end(), [&](double x) { return std::abs(x - median) > off; })) /
-      double(logs.size());
+  std::vector<std::array<double, 2>> lengths; // in the mesh, in the frame
+  std::vector<double> in_frame, ratios;
+  for (const auto& edge : sample.edges) {
+    const double l = distance(data.mesh.points[edge[0]], data.mesh.points[edge[1]]);
+    const double m = distance(position(data, edge[0], f), position(data, edge[1], f));
+    if (!(l > 0) || !(m > 0)) continue;
+    lengths.push_back({{l, m}});
+    in_frame.push_back(m);
+    ratios.push_back(std::sqrt((std::max)(0., m * m - 6 * noise * noise)) / l);
+  }
+  result.edges = lengths.size();
+  if (lengths.empty()) return result;
+  result.length = median(in_frame);
+  result.ratio = median(ratios);
+  const double margin = 4.8 * noise;
+  const auto is_off = [&](const std::array<double, 2>& l) {
+    return l[1] > 2 * result.ratio * l[0] + margin || l[1] < result.ratio * l[0] / 2 - margin;
+  };
+  result.share_off = double(std::count_if(lengths.begin(), lengths.end(), is_off)) / double(lengths.size());
   return result;
 }
 
 // The frame whose edges are most like those of the mesh, of some that are spread over the animation.
 template <class FT>
-Edge_comparison best_edge_comparison(const Animation_file_data<FT>& data)
+Edge_comparison best_edge_comparison(const Animation_file_data<FT>& data, const Edge_sample& sample, double noise)
 {
-  const std::size_t most_frames = 16, n = (std::min)(most_frames, data.frames);
-  Edge_comparison best = compare_edges(data, 0);
-  for (std::size_t i = 1; i < n; ++i) {
-    const Edge_comparison other = compare_edges(data, i * (data.frames - 1) / (n - 1));
+  Edge_comparison best = compare_edges(data, sample, 0, noise);
+  for (const std::size_t f : sample.frames) {
+    const Edge_comparison other = compare_edges(data, sample, f, noise);
     if (other.edges > 0 && (best.edges == 0 || other.share_off < best.share_off)) best = other;
   }
   return best;
@@ -98,7 +101,8 @@ bool is_another_order(const Animation_file_data<FT>& data, std::size_t f)
 \ingroup PkgAnimatedMeshFeaturesReading
 
 checks that the vertices of a mesh and those of a point cache are in the same order, by the lengths of edges in the mesh
-and in up to 16 frames, of which the most similar counts. With the median ratio of lengths as unit,
+and in up to 16 frames, of which the most similar counts. Noise that is independent in vertices and frames, which is
+estimated from second differences in time, is allowed for. With the median ratio of lengths as unit,
 - where more than a tenth of the edges are more than twice as long as in the mesh, or less than half, the vertices are in
   another order. Of animations that fit, from game characters to an elastic cow and to one person's mesh with the motion
   of another one, 2.3 % of the edges are at most; of the same ones in a wrong order, by any coordinate or at random, 18 %
@@ -106,6 +110,7 @@ and in up to 16 frames, of which the most similar counts. With the median ratio 
 - regular meshes are like themselves in another order, but for a few edges: it is also refused if more than 0.2 % are so
   and the points of the mesh are those of the frame in another order;
 - a ratio beyond 1.25 is noted: the mesh is in another unit, which does no harm, since positions are those of the cache.
+  Where the noise is more than a quarter of the edges, these do not tell.
 
 At most 30,000 edges are looked at; linear in the number of vertices.
 
@@ -117,7 +122,10 @@ template <class FT>
 void check_cache_fits(const std::string& cache_file, Animation_file_data<FT>& data)
 {
   const double most_off = 0.1, most_off_of_same_points = 0.002, usual_ratio = 1.25;
-  const internal::Edge_comparison c = internal::best_edge_comparison(data);
+  const double most_noise = 0.25; // of an edge whose length shall tell the unit
+  const internal::Edge_sample sample = internal::edge_sample(data);
+  const double noise = internal::noise_of_frames(data, sample);
+  const internal::Edge_comparison c = internal::best_edge_comparison(data, sample, noise);
   const std::size_t least_edges = 12; // of fewer, nothing can be said
   if (c.edges < least_edges) return;
   std::ostringstream os;
@@ -132,7 +140,7 @@ void check_cache_fits(const std::string& cache_file, Animation_file_data<FT>& da
        << "; export mesh and cache from the same object";
     throw Input_error(os.str());
   }
-  if (c.ratio > 1 / usual_ratio && c.ratio < usual_ratio) return;
+  if ((c.ratio > 1 / usual_ratio && c.ratio < usual_ratio) || noise > most_noise * c.length) return;
   const bool is_smaller = c.ratio > 1;
   os << "the mesh " << data.sources.front() << " is " << (is_smaller ? c.ratio : 1 / c.ratio) << " times "
      << (is_smaller ? "smaller" : "larger") << " than the frames of " << cache_file
