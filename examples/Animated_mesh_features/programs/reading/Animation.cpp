@@ -7,6 +7,7 @@
 #include "reading/Animation.h"
 
 #include "reading/Model_file.h"
+#include "reading/denoise.h"
 #include "reading/keep_frames.h"
 
 #include <CGAL/Animated_mesh_features/IO/check_frames.h>
@@ -153,6 +154,16 @@ Animation::Animation(const Reading_options& options, const AMF::IO::Memory_choos
                        : read_model_file(options, format, choose_memory);
   m_is_sampled = format == Model_format::GLTF || format == Model_format::ASSIMP;
   take(options, data);
+  if (!m_is_sampled) { // what is made of keys has no noise
+    const Denoised done = denoise(
+        options, m_mesh, [&] { return given_shape(options, data, m_is_sampled); }, m_sequence, m_notices, visitor);
+    m_noise = done.noise;
+    if (done.frame && options.rest.kind != Rest::FILE) // the mesh goes with its frame
+      for (std::size_t v = 0; v < data.mesh.points.size(); ++v) {
+        const AMF::Rest_shape::Point p = m_sequence->trajectories().point(v, *done.frame);
+        data.mesh.points[v] = {{p[0], p[1], p[2]}};
+      }
+  }
   m_rest = take_rest(options, data, m_is_sampled, *m_sequence, m_notices, visitor);
   add_notice_of_stiff_parts(m_sequence->rest_shape(), m_notices);
   m_origins = std::move(data.origins);
@@ -163,12 +174,14 @@ Animation::Animation(const Reading_options& options, File_data data, const Rest_
   AMF::IO::check_frames(options.skip_bad_frames, data);
   AMF::IO::weld_animation(mesh_reading_options(options).welding, options.repair, data);
   take(options, data);
+  Rest_points points;
+  for (std::size_t v = 0; !rest.empty() && v < m_sequence->number_of_vertices(); ++v)
+    points.push_back(rest[data.origins.empty() ? v : data.origins.file_vertices[data.origins.first[v]]]);
+  const Denoised done = denoise(options, m_mesh, [&] { return points; }, m_sequence, m_notices, visitor);
+  m_noise = done.noise;
   if (rest.empty()) {
     m_rest = take_rest(options, data, false, *m_sequence, m_notices, visitor);
   } else {
-    Rest_points points;
-    for (std::size_t v = 0; v < m_sequence->number_of_vertices(); ++v)
-      points.push_back(rest[data.origins.empty() ? v : data.origins.file_vertices[data.origins.first[v]]]);
     m_rest = take_points(points, {"given", "the given rest shape", "", options.rest.rescale, 1}, *m_sequence);
   }
   add_notice_of_stiff_parts(m_sequence->rest_shape(), m_notices);

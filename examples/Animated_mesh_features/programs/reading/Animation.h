@@ -27,7 +27,7 @@ namespace Programs {
 class Animation
 {
 public:
-  // `visitor` is told of the average, if that becomes the rest shape.
+  // `visitor` is told of the average, if that becomes the rest shape, and of denoising.
   // throws Input_error and Option_error, and what `choose_memory` throws; Numerical_error, Cancelled.
   Animation(const Reading_options& options, const CGAL::Animated_mesh_features::IO::Memory_chooser& choose_memory,
             CGAL::Animated_mesh_features::Any_visitor visitor = CGAL::Animated_mesh_features::Any_visitor());
@@ -72,6 +72,9 @@ public:
   // what the user is to be told of the reading in any case
   const std::vector<std::string>& notices() const { return m_notices; }
 
+  // of the positions, that was taken out, a length; 0: none was
+  double noise() const { return m_noise; }
+
   // which rest shape was taken, and why
   const Taken_rest& rest() const { return m_rest; }
 
@@ -82,7 +85,7 @@ private:
 
   Mesh m_mesh;
   std::optional<Sequence> m_sequence; // refers to the mesh
-  double m_frames_per_second = 0;
+  double m_frames_per_second = 0, m_noise = 0;
   std::size_t m_frames_read = 0;
   bool m_is_sampled = false;
   std::vector<std::string> m_clips, m_remarks, m_notices, m_files;

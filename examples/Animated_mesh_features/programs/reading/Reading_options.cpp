@@ -106,6 +106,11 @@ Names<Weld> names(Weld)
   return {{"auto", Weld::AUTO}, {"always", Weld::ALWAYS}, {"never", Weld::NEVER}};
 }
 
+Names<Denoise> names(Denoise)
+{
+  return {{"auto", Denoise::AUTO}, {"always", Denoise::ALWAYS}, {"never", Denoise::NEVER}};
+}
+
 void add_reading_options(Option_group& group, Reading_options& o)
 {
   group.add(
@@ -144,6 +149,11 @@ void add_reading_options(Option_group& group, Reading_options& o)
       "skip-bad-frames", o.skip_bad_frames,
       "leave out frames that are broken, without extent or with a vertex that is exploded, and bridge them in time: "
       "numbers and times of frames stay. By default they are an error, but for a single frame without extent");
+  group.add("denoise", "WHEN",
+            "whether noise of the positions is taken out, as scans and captures have it, independent in vertices and "
+            "frames: auto, where it is more than 15 % of the mean edge; always; never (default: " +
+                name(o.denoise) + ")",
+            [&](const Argument& a) { o.denoise = chosen<Denoise>(a.option(), a.text()); });
 }
 
 AMF::IO::Mesh_reading_options mesh_reading_options(const Reading_options& o)

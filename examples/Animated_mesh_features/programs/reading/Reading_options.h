@@ -58,6 +58,16 @@ enum class Weld
 
 Names<Weld> names(Weld);
 
+// Whether noise of the positions is taken out.
+enum class Denoise
+{
+  AUTO, // where it is large
+  ALWAYS,
+  NEVER
+};
+
+Names<Denoise> names(Denoise);
+
 // Which animation is read, and as what.
 struct Reading_options
 {
@@ -69,6 +79,7 @@ struct Reading_options
   bool repair = false;      // mend what is no oriented manifold
   Weld weld = Weld::AUTO;
   bool skip_bad_frames = false; // bridge broken frames in time
+  Denoise denoise = Denoise::AUTO;
 
   // of files with clips
   std::string clip; // by name or number; empty: the first

@@ -75,6 +75,8 @@ void add_reading_parameters(AMF::IO::Result_description& d, const Reading_option
   d.add("weld", name(o.weld));
   d.add("repair", o.repair);
   d.add("skip_bad_frames", o.skip_bad_frames);
+  d.add("denoise", name(o.denoise));
+  add_if(animation.noise() > 0, d, "noise_taken_out", animation.noise());
   d.add("fps", animation.frames_per_second());
   add_if(o.frame_range.has_value(), d, "frame_range", o.frame_range.value_or(Frame_range()).text);
   add_if(!animation.clips().empty(), d, "clip", animation.clip_name());

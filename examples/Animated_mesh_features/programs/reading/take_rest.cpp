@@ -89,7 +89,7 @@ Taken_rest take_own(const Reading_options& o, const File_data& data, bool is_mod
   }
 }
 
-Taken_rest take_file(const Reading_options& o, const File_data& data, Sequence& sequence)
+Rest_points points_of_file(const Reading_options& o, const File_data& data)
 {
   const std::string& file = o.rest.file;
   const AMF::IO::Indexed_mesh rest = AMF::IO::read_mesh(file, mesh_reading_options(o));
@@ -98,8 +98,15 @@ Taken_rest take_file(const Reading_options& o, const File_data& data, Sequence& 
   std::vector<std::array<double, 3>> points;
   for (std::size_t v = 0; v < data.mesh.points.size(); ++v)
     points.push_back(rest.points[is_file_mesh ? v : data.origins.file_vertices[data.origins.first[v]]]);
+  return points_of(points);
+}
+
+Taken_rest take_file(const Reading_options& o, const File_data& data, Sequence& sequence)
+{
+  const std::string& file = o.rest.file;
+  const Rest_points points = points_of_file(o, data);
   try {
-    return take_points(points_of(points), {file, file_name(file), "", o.rest.rescale, 1}, sequence);
+    return take_points(points, {file, file_name(file), "", o.rest.rescale, 1}, sequence);
   } catch (const AMF::Input_error& e) {
     throw AMF::Input_error(file + ": " + e.what());
   }
@@ -178,6 +185,13 @@ Taken_rest take_points(const Rest_points& points, Taken_rest taken, Sequence& se
   taken.factor =
       sequence.set_rest_shape(converted, taken.is_scaled ? AMF::Rest_unit::RESCALE : AMF::Rest_unit::CHECK);
   return taken;
+}
+
+Rest_points given_shape(const Reading_options& o, const File_data& data, bool is_model)
+{
+  if (o.rest.kind == Rest::FILE) return points_of_file(o, data);
+  const std::optional<Own_shape> own = own_shape(data, is_model);
+  return own ? own->points : Rest_points();
 }
 
 Taken_rest take_rest(const Reading_options& o, const File_data& data, bool is_model, Sequence& sequence,

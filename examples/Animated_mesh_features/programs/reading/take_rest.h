@@ -40,6 +40,11 @@ Taken_rest take_rest(const Reading_options& options, const CGAL::Animated_mesh_f
                      bool is_model, Sequence& sequence, std::vector<std::string>& notices,
                      CGAL::Animated_mesh_features::Any_visitor visitor = CGAL::Animated_mesh_features::Any_visitor());
 
+// The shape that comes with the input or is named as rest shape, a point for each vertex; empty if there is none.
+// throws Input_error if a file cannot be read or is not of the same connectivity.
+Rest_points given_shape(const Reading_options& options,
+                        const CGAL::Animated_mesh_features::IO::Animation_file_data<FT>& data, bool is_model);
+
 // Sets the rest shape to these points, a point for each vertex; returns `taken` with the factor by which they were scaled.
 // throws Input_error if they do not fit the frames.
 Taken_rest take_points(const Rest_points& points, Taken_rest taken, Sequence& sequence);

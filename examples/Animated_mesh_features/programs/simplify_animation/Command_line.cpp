@@ -62,6 +62,7 @@ void set_plot([[maybe_unused]] const Argument& a, [[maybe_unused]] Command_line&
 
 void add_options(Option_groups& groups, Command_line& o)
 {
+  o.reading.denoise = Programs::Denoise::NEVER; // what is to be simplified is what was given
   Programs::add_reading_options(groups.add_group("Animation"), o.reading);
   Option_group& target = groups.add_group("How much is left (one of them)");
   target.add("vertices", "N,...", "so many vertices; several numbers are levels of detail, from fine to coarse",

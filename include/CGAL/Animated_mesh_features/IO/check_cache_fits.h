@@ -7,11 +7,12 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_CHECK_CACHE_FITS_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_CHECK_CACHE_FITS_H
 
-#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/Animation_file_data.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Point_set_index.h>
 #include <CGAL/Animated_mesh_features/IO/internal/frame_position.h>
-#include <CGAL/Animated_mesh_features/IO/internal/noise_of_frames.h>
+#include <CGAL/Animated_mesh_features/IO/internal/frame_noise.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/upper_median.h>
 
 #include <algorithm>
 #include <array>
@@ -41,13 +42,13 @@ struct Edge_comparison
 // Noise of standard deviation s in each coordinate of both ends adds 6 s^2 to the square of an edge's length in the mean,
 // and moves 99 % of the edges by less than 4.8 s (the quantile of a normal vector in space, 3.37, times sqrt 2).
 template <class FT>
-Edge_comparison compare_edges(const Animation_file_data<FT>& data, const Edge_sample& sample, std::size_t f, double noise)
+Edge_comparison compare_edges(const Animation_file_data<FT>& data, const std::vector<std::array<std::size_t, 2>>& edges, std::size_t f, double noise)
 {
   Edge_comparison result;
   result.frame = f;
   std::vector<std::array<double, 2>> lengths; // in the mesh, in the frame
   std::vector<double> in_frame, ratios;
-  for (const auto& edge : sample.edges) {
+  for (const auto& edge : edges) {
     const double l = distance(data.mesh.points[edge[0]], data.mesh.points[edge[1]]);
     const double m = distance(position(data, edge[0], f), position(data, edge[1], f));
     if (!(l > 0) || !(m > 0)) continue;
@@ -57,8 +58,8 @@ Edge_comparison compare_edges(const Animation_file_data<FT>& data, const Edge_sa
   }
   result.edges = lengths.size();
   if (lengths.empty()) return result;
-  result.length = median(in_frame);
-  result.ratio = median(ratios);
+  result.length = Animated_mesh_features::internal::upper_median(in_frame);
+  result.ratio = Animated_mesh_features::internal::upper_median(ratios);
   const double margin = 4.8 * noise;
   const auto is_off = [&](const std::array<double, 2>& l) {
     return l[1] > 2 * result.ratio * l[0] + margin || l[1] < result.ratio * l[0] / 2 - margin;
@@ -69,11 +70,13 @@ Edge_comparison compare_edges(const Animation_file_data<FT>& data, const Edge_sa
 
 // The frame whose edges are most like those of the mesh, of some that are spread over the animation.
 template <class FT>
-Edge_comparison best_edge_comparison(const Animation_file_data<FT>& data, const Edge_sample& sample, double noise)
+Edge_comparison best_edge_comparison(const Animation_file_data<FT>& data, double noise)
 {
-  Edge_comparison best = compare_edges(data, sample, 0, noise);
-  for (const std::size_t f : sample.frames) {
-    const Edge_comparison other = compare_edges(data, sample, f, noise);
+  const std::vector<std::array<std::size_t, 2>> edges = some_edges(data);
+  Edge_comparison best = compare_edges(data, edges, 0, noise);
+  const std::size_t most_frames = 16, n = (std::min)(most_frames, data.frames);
+  for (std::size_t i = 1; i < n; ++i) {
+    const Edge_comparison other = compare_edges(data, edges, i * (data.frames - 1) / (n - 1), noise);
     if (other.edges > 0 && (best.edges == 0 || other.share_off < best.share_off)) best = other;
   }
   return best;
@@ -123,9 +126,8 @@ void check_cache_fits(const std::string& cache_file, Animation_file_data<FT>& da
 {
   const double most_off = 0.1, most_off_of_same_points = 0.002, usual_ratio = 1.25;
   const double most_noise = 0.25; // of an edge whose length shall tell the unit
-  const internal::Edge_sample sample = internal::edge_sample(data);
-  const double noise = internal::noise_of_frames(data, sample);
-  const internal::Edge_comparison c = internal::best_edge_comparison(data, sample, noise);
+  const double noise = internal::frame_noise(data);
+  const internal::Edge_comparison c = internal::best_edge_comparison(data, noise);
   const std::size_t least_edges = 12; // of fewer, nothing can be said
   if (c.edges < least_edges) return;
   std::ostringstream os;

@@ -9,13 +9,10 @@
 
 #include <CGAL/Animated_mesh_features/IO/Animation_file_data.h>
 #include <CGAL/Animated_mesh_features/IO/file_format.h>
-#include <CGAL/Animated_mesh_features/IO/internal/Frame_edges.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Frame_extents.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Frame_fault.h>
 #include <CGAL/Animated_mesh_features/IO/internal/bridge_frames.h>
 #include <CGAL/Animated_mesh_features/IO/internal/check_precision.h>
-#include <CGAL/Animated_mesh_features/IO/internal/noise_of_frames.h>
-#include <CGAL/Animated_mesh_features/IO/internal/short_number.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <CGAL/tags.h>
@@ -45,19 +42,6 @@ inline std::string frame_list(const std::vector<Bridged_frame>& frames)
   return list;
 }
 
-// Notes noise that strains edges, with a frame's mean edge as measure.
-template <class FT>
-void note_noise(std::size_t frame, Animation_file_data<FT>& data)
-{
-  const double usual = 0.15;
-  const double noise = noise_of_frames(data, edge_sample(data)), edge = frame_edges(data, frame).mean;
-  if (!(noise > usual * edge)) return;
-  data.notices.push_back("vertices tremble from frame to frame by " + short_number(noise) + " in each coordinate, " +
-                         short_number(100 * noise / edge) +
-                         " % of the mean edge: small and short features may be noise; smooth the frames, or take a larger "
-                         "least sigma and tau");
-}
-
 } // namespace internal
 
 /*!
@@ -77,9 +61,6 @@ stay; before the first and after the last good one, that one is repeated.
 Coordinates that are all of single precision, as point caches hold them, are rounded by 6e-8 of themselves: if that step
 is more than 1 % of the mean edge, it is noted, if more than 10 %, it is an error that leaving out frames does not mend.
 
-Noise that is independent in vertices and frames is noted where its standard deviation is more than 15 % of the mean edge:
-it strains edges by as much, and hides deformations that are small and short. Animations without noise stay below 11 %.
-
 `O(N F)` time; memory for the edges of a frame, of some where vertices are exploded. The result does not depend on the
 number of threads.
 
@@ -98,7 +79,6 @@ void check_frames(bool skip_bad_frames, Animation_file_data<FT>& data)
     throw Input_error(data.frame_name(0) + ": has no extent: all vertices are at one point, as in all other frames");
   const std::vector<internal::Frame_fault> faults = internal::frame_faults<ConcurrencyTag>(data, extents, usual);
   internal::check_precision(extents, faults, data);
-  internal::note_noise(usual, data);
   std::vector<char> is_good;
   for (const internal::Frame_fault& fault : faults) is_good.push_back(fault.kind == internal::Frame_fault::NONE);
   const std::size_t good = std::size_t(std::count(is_good.begin(), is_good.end(), 1));

@@ -25,6 +25,7 @@ enum class Stage
   SCALE_SPACE,    ///< smoothing in space
   EXTREMA,        ///< smoothing in time, response, extremum search
   REST_SHAPE,     ///< the canonical shape, where it is asked for
+  DENOISING,      ///< frames without their noise, where they are asked for
   VIEWS           ///< directions to look from, where they are asked for
 };
 
@@ -42,6 +43,7 @@ inline const char* name(Stage stage)
   case Stage::SCALE_SPACE: return "scale space";
   case Stage::EXTREMA: return "extrema";
   case Stage::REST_SHAPE: return "rest shape";
+  case Stage::DENOISING: return "denoising";
   case Stage::VIEWS: return "views";
   }
   return "";
