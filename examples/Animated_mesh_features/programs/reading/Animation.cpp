@@ -179,6 +179,7 @@ Animation::Animation(const Reading_options& options, File_data data, const Rest_
     points.push_back(rest[data.origins.empty() ? v : data.origins.file_vertices[data.origins.first[v]]]);
   const Denoised done = denoise(options, m_mesh, [&] { return points; }, m_sequence, m_notices, visitor);
   m_noise = done.noise;
+  if (done.frame) points = m_sequence->trajectories().frame(*done.frame).points(); // the shape goes with its frame
   if (rest.empty()) {
     m_rest = take_rest(options, data, false, *m_sequence, m_notices, visitor);
   } else {

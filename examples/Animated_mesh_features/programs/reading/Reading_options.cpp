@@ -151,7 +151,7 @@ void add_reading_options(Option_group& group, Reading_options& o)
       "numbers and times of frames stay. By default they are an error, but for a single frame without extent");
   group.add("denoise", "WHEN",
             "whether noise of the positions is taken out, as scans and captures have it, independent in vertices and "
-            "frames: auto, where it is more than 15 % of the mean edge; always; never (default: " +
+            "frames: auto, where it is more than 10 % of the mean edge; always; never (default: " +
                 name(o.denoise) + ")",
             [&](const Argument& a) { o.denoise = chosen<Denoise>(a.option(), a.text()); });
 }
