@@ -627,8 +627,10 @@ struct Sheet
     return {{x * std::cos(bending * y / 100), y, x * std::sin(bending * y / 100)}};
   }
 
-  std::vector<std::string> write(const std::vector<std::size_t>& order, double scale = 1) const
+  std::vector<std::string> write(const std::vector<std::size_t>& order, double scale = 1, double noise = 0) const
   {
+    std::mt19937 generator(7);
+    std::normal_distribution<double> normal;
     IO::Indexed_mesh mesh;
     for (std::size_t v = 0; v < n * n; ++v) mesh.points.push_back(point(v, 0));
     for (std::size_t i = 0; i + 1 < (is_tube ? n + 1 : n); ++i)
@@ -641,7 +643,7 @@ struct Sheet
     IO::write_obj(obj, mesh);
     IO::write_pc2(pc2, n * n, 8, [&](std::size_t f, float* xyz) {
       for (std::size_t v : order)
-        for (double x : point(v, double(f))) *xyz++ = float(scale * x);
+        for (double x : point(v, double(f))) *xyz++ = float(scale * (x + noise * normal(generator)));
     });
     return {folder.write("sheet.obj", obj.str()), folder.write("sheet.pc2", pc2.str())};
   }
@@ -669,6 +671,12 @@ void test_cache_fits()
                    inputs[1] + ": its vertices are in another order than those of the mesh " + inputs[0]);
     }
   CHECK_THROWS(Input_error, notices(sheet.write(tenth)), "its vertices are in another order");
+  // Noise makes edges longer and shorter, but is neither another order nor, where it leaves them recognisable, another unit.
+  for (const double noise : {0.1, 0.3, 0.6}) {
+    CHECK(notices(sheet.write(same, 1, noise)).empty());
+    if (noise < 0.5) CHECK(is_told(IO::read_animation<double>(sheet.write(same, 3, noise)), "times smaller than the frames"));
+    CHECK_THROWS(Input_error, notices(sheet.write(tenth, 1, noise)), "its vertices are in another order");
+  }
   const std::vector<std::string> larger = sheet.write(same, 25.4);
   CHECK(notices(larger) ==
         std::vector<std::string>{"the mesh " + larger[0] + " is 25.4 times smaller than the frames of " + larger[1] +

@@ -68,8 +68,8 @@ public:
       for (int r = 0; r < 3; ++r)
         for (int c = 0; c <= r; ++c) moments[r][c] += m_weights[i] * x[r] * x[c];
     }
-    // Across a surface that is flat there is nothing to fit.
-    const double ridge = 1e-4 * (moments[0][0] + moments[1][1] + moments[2][2]);
+    // Across a surface that is flat to rounding there is nothing to fit.
+    const double ridge = 1e-9 * (moments[0][0] + moments[1][1] + moments[2][2]);
     for (int r = 0; r < 3; ++r) moments[r][r] += ridge;
     const Small_cholesky<3> factor(moments);
     Rest_shape::Point slope = Rest_shape::Point::Zero();
