@@ -674,7 +674,9 @@ void test_cache_fits()
   // Noise makes edges longer and shorter, but is neither another order nor, where it leaves them recognisable, another unit.
   for (const double noise : {0.1, 0.3, 0.6}) {
     CHECK(notices(sheet.write(same, 1, noise)).empty());
-    if (noise < 0.5) CHECK(is_told(IO::read_animation<double>(sheet.write(same, 3, noise)), "times smaller than the frames"));
+    const std::vector<std::string> of_other_unit = notices(sheet.write(same, 3, noise));
+    CHECK(noise > 0.5 || (of_other_unit.size() == 1 &&
+                          of_other_unit[0].find("times smaller than the frames") != std::string::npos));
     CHECK_THROWS(Input_error, notices(sheet.write(tenth, 1, noise)), "its vertices are in another order");
   }
   const std::vector<std::string> larger = sheet.write(same, 25.4);
