@@ -104,8 +104,8 @@ bool is_another_order(const Animation_file_data<FT>& data, std::size_t f)
 \ingroup PkgAnimatedMeshFeaturesReading
 
 checks that the vertices of a mesh and those of a point cache are in the same order, by the lengths of edges in the mesh
-and in up to 16 frames, of which the most similar counts. Noise that is independent in vertices and frames, which is
-estimated from second differences in time, is allowed for. With the median ratio of lengths as unit,
+and in up to 16 frames, of which the most similar counts. Noise that is independent in vertices and frames,
+where it is more than a tenth of the edges (see `position_noise()`), is allowed for. With the median ratio of lengths as unit,
 - where more than a tenth of the edges are more than twice as long as in the mesh, or less than half, the vertices are in
   another order. Of animations that fit, from game characters to an elastic cow and to one person's mesh with the motion
   of another one, 2.3 % of the edges are at most; of the same ones in a wrong order, by any coordinate or at random, 18 %
@@ -125,9 +125,11 @@ template <class FT>
 void check_cache_fits(const std::string& cache_file, Animation_file_data<FT>& data)
 {
   const double most_off = 0.1, most_off_of_same_points = 0.002, usual_ratio = 1.25;
+  const double usual_noise = 0.1; // of an edge: what neighbours do not do alike is motion, too
   const double most_noise = 0.25; // of an edge whose length shall tell the unit
   const double noise = internal::frame_noise(data);
-  const internal::Edge_comparison c = internal::best_edge_comparison(data, noise);
+  internal::Edge_comparison c = internal::best_edge_comparison(data, 0);
+  if (noise > usual_noise * c.length) c = internal::best_edge_comparison(data, noise);
   const std::size_t least_edges = 12; // of fewer, nothing can be said
   if (c.edges < least_edges) return;
   std::ostringstream os;
