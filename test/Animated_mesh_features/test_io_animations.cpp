@@ -677,9 +677,10 @@ void test_cache_fits()
     const std::vector<std::string> of_other_unit = notices(sheet.write(same, 3, noise));
     CHECK(noise > 0.5 || (of_other_unit.size() == 1 &&
                           of_other_unit[0].find("times smaller than the frames") != std::string::npos));
-    for (const auto& order : {backwards, by_column, random})
-      CHECK_THROWS(Input_error, notices(sheet.write(order, 1, noise)), "its vertices are in another order");
+    CHECK_THROWS(Input_error, notices(sheet.write(random, 1, noise)), "its vertices are in another order");
   }
+  for (const auto& order : {backwards, by_column}) // where neighbours stay neighbours, little noise hides it
+    CHECK_THROWS(Input_error, notices(sheet.write(order, 1, 0.1)), "its vertices are in another order");
   const std::vector<std::string> larger = sheet.write(same, 25.4);
   CHECK(notices(larger) ==
         std::vector<std::string>{"the mesh " + larger[0] + " is 25.4 times smaller than the frames of " + larger[1] +
