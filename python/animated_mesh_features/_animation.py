@@ -335,5 +335,5 @@ def animation_of(frames, faces, keywords):
                             "Animation, which has its own")
         return frames
     if faces is None:
-        raise TypeError("faces are needed: detect(frames, faces)")
+        raise TypeError("faces are needed with an array of frames")
     return Animation(frames, faces, threads=keywords["threads"], visitor=keywords["visitor"], **own)

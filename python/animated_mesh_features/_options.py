@@ -15,9 +15,11 @@ from . import _core
 
 # What is given without a value.
 _SWITCHES = frozenset(["no_suppression", "there_and_back", "allow_outside", "rescale_rest", "as_given", "triangulate",
-                       "repair", "skip_bad_frames", "no_sync"])
+                       "repair", "skip_bad_frames", "no_sync", "mutual"])
 # MIN:MAX
 _RANGES = frozenset(["sigma_range", "tau_range"])
+# numbers between commas
+_LISTS = frozenset(["vertices", "lods"])
 _REPEATABLE = frozenset(["output", "write_field", "frame"])
 
 METHOD = """
@@ -113,8 +115,9 @@ RUNNING = """
         so many at most, by default all; the result is the same, bit for bit.
     visitor : callable, optional
         ``visitor(stage, fraction)``, called from this thread some 30 times a stage with the stage's name ("geodesic
-        balls", "strain", "curvature", "scale space", "extrema", "rest shape") and how far it is, from 0 to 1. If it
-        returns False, `Cancelled` is raised; an exception of its own goes through. Ctrl-C works without one, too."""
+        balls", "strain", "curvature", "scale space", "extrema", "rest shape"; "descriptors", "distances",
+        "simplification", "errors", "views") and how far it is, from 0 to 1. If it returns False, `Cancelled` is raised;
+        an exception of its own goes through. Ctrl-C works without one, too."""
 
 ERRORS = """
     InputError
@@ -175,6 +178,8 @@ def arguments(**keywords):
             continue
         elif name in _RANGES:
             result.append(f"{option}={_range_text(name, value)}")
+        elif name in _LISTS and np.ndim(value) == 1:
+            result.append(f"{option}={','.join(_text(name, x) for x in value)}")
         elif name in _REPEATABLE and not isinstance(value, (str, os.PathLike, int, np.integer)):
             result.extend(f"{option}={_text(name, x)}" for x in value)
         else:
@@ -183,6 +188,8 @@ def arguments(**keywords):
 
 
 def options(what=("input", "method", "output")):
-    """The options of the command line, with their defaults, as ``detect_features --help`` lists them."""
-    kinds = {"input": _core.READING, "method": _core.METHOD, "output": _core.OUTPUT}
+    """The options of the command line, with their defaults, as ``detect_features --help`` lists them; also those of
+    "comparison" and "simplification", as the programs for these do."""
+    kinds = {"input": _core.READING, "method": _core.METHOD, "output": _core.OUTPUT, "comparison": _core.COMPARISON,
+             "simplification": _core.SIMPLIFICATION}
     return _core.help_of(sum(kinds[kind] for kind in what))
