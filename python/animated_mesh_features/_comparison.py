@@ -6,7 +6,7 @@
 
 """Animations beside each other: descriptors, matched features, alignment in time, distances."""
 
-from typing import List
+from typing import List, Tuple
 
 import numpy as np
 
@@ -18,8 +18,10 @@ from ._options import arguments, documented
 from .evaluation import _features
 
 
-def _known_features(found, features):
+def _known_features(found, features, *kinds):
     """Those that were given, or all that were found; of which the scales are known."""
+    if not isinstance(found, kinds):
+        raise TypeError(f"a {' or a '.join(k.__name__ for k in kinds)} is expected, not {type(found).__name__}")
     array = _features(found if features is None else features)
     if not ((array["sigma"] > 0) & (array["tau"] > 0)).all():
         raise InputError("features: sigma and tau must be positive")
@@ -52,8 +54,8 @@ def descriptors(found, features=None, *, descriptor="rotation-free", threads=Non
     ------
     {errors}
     """
-    return _core.descriptors(found._data, _known_features(found, features),
-                             arguments(descriptor=descriptor, threads=threads), visitor)
+    chosen = _known_features(found, features, Detection)
+    return _core.descriptors(found._data, chosen, arguments(descriptor=descriptor, threads=threads), visitor)
 
 
 class Signature:
@@ -137,7 +139,7 @@ def signature(found, features=None, *, rate=30.0, descriptor="rotation-free", th
     ------
     {errors}
     """
-    chosen = _known_features(found, features)
+    chosen = _known_features(found, features, Detection, FeatureFile)
     given = arguments(rate=rate, descriptor=descriptor, threads=threads)
     if not isinstance(found, FeatureFile):
         return Signature(_core.signature(found._data, chosen, given, visitor))
@@ -187,8 +189,9 @@ class Alignment:
     """Which time of one animation is which of another one, and which events follow one another in both: see
     `align()`."""
 
-    def __init__(self, data):
+    def __init__(self, data, periods):
         self._data = data
+        self._periods = periods
 
     def __repr__(self):
         return (f"<Alignment of cost {self.cost:.3f} and confidence {self.confidence:.3f}, {len(self.pairs)} events in "
@@ -226,8 +229,13 @@ class Alignment:
     @property
     def phase(self):
         """of two motions that repeat themselves: how much of a period the second one is ahead, from -0.5 to 0.5; else
-        None. Their periods are those of their signatures."""
+        None."""
         return self._data.phase
+
+    @property
+    def periods(self) -> Tuple[float, float]:
+        """after which each of the two repeats itself (s); 0 if it does not."""
+        return self._periods
 
     @property
     def pairs(self) -> np.ndarray:
@@ -253,8 +261,8 @@ class Alignment:
 
 def align(a, b, *, place_weight=3.0, recurrence_weight=0.0, max_slope=3, end_weight=1.0,
           bend_weight=0.02) -> Alignment:
-    """Finds the map of time by which the deformation of two animations is most alike (dynamic time warping; Sakoe, Chiba
-    1978), whatever their meshes and frame rates.
+    """Finds the map of time by which the deformation of two animations is most alike (dynamic time warping; Sakoe,
+    Chiba 1978), whatever their meshes and frame rates.
 
     9 max_slope T^2 steps for T samples. Python's lock is released; it cannot be cancelled.
 
@@ -278,9 +286,10 @@ def align(a, b, *, place_weight=3.0, recurrence_weight=0.0, max_slope=3, end_wei
     OptionError
         if an option makes no sense.
     """
-    return Alignment(_core.align(_signature(a), _signature(b), arguments(
+    a, b = _signature(a), _signature(b)
+    return Alignment(_core.align(a, b, arguments(
         place_weight=place_weight, recurrence_weight=recurrence_weight, max_slope=max_slope, end_weight=end_weight,
-        bend_weight=bend_weight)))
+        bend_weight=bend_weight)), (a.period, b.period))
 
 
 def event_differences(a, b, alignment=None, *, place=0.05, profile=0.3, frames=1.5, factor=2.0) -> np.ndarray:
@@ -318,8 +327,8 @@ def event_differences(a, b, alignment=None, *, place=0.05, profile=0.3, frames=1
 
 
 def animation_distance(a, b, *, distance_place_weight=0.0, distance_recurrence_weight=1.0, cycle_weight=0.1) -> float:
-    """Tells how unlike two motions are, from 0, the same, to 1. It is the same for a body of another shape, another mesh
-    and another frame rate, as far as the deformation is.
+    """Tells how unlike two motions are, from 0, the same, to 1. It is the same for a body of another shape, another
+    mesh and another frame rate, as far as the deformation is.
 
     Parameters
     ----------

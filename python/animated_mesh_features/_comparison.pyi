@@ -1,5 +1,5 @@
 # The types of what is public in the Python file of the same name.
-from typing import Literal, Optional, Sequence, Union, overload
+from typing import Literal, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -59,6 +59,8 @@ class Alignment:
     def confidence(self) -> float: ...
     @property
     def phase(self) -> Optional[float]: ...
+    @property
+    def periods(self) -> Tuple[float, float]: ...
     @property
     def pairs(self) -> np.ndarray: ...
     @property

@@ -11,7 +11,6 @@ METHOD: int
 OUTPUT: int
 COMPARISON: int
 SIMPLIFICATION: int
-match_dtype: np.dtype
 
 _Visitor = Optional[Callable[[str, float], Any]]
 

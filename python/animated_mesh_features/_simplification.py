@@ -156,8 +156,8 @@ def simplify(frames, faces=None, *, vertices=None, ratio=None, lods=None, error=
     own = {name: keywords.pop(name) for name in ("vertices", "ratio", "lods", "error", "poses", "guidance", "normals",
                                                  "support")}
     animation = animation_of(frames, faces, dict(keywords, visitor=visitor))
-    if (chosen["vertex"] >= animation.number_of_vertices).any() or (chosen["frame"] >= animation.number_of_frames).any():
-        raise InputError(f"features: some are not of the {animation.number_of_vertices} vertices and "
-                         f"{animation.number_of_frames} frames of the animation")
+    n, length = animation.number_of_vertices, animation.number_of_frames
+    if (chosen["vertex"] >= n).any() or (chosen["frame"] >= length).any():
+        raise InputError(f"features: some are not of the {n} vertices and {length} frames of the animation")
     data = _core.simplify(animation._data, chosen, arguments(**own, threads=threads), bool(measure), visitor)
     return Simplification(data, animation)

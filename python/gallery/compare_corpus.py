@@ -8,8 +8,8 @@
 
     python3 compare_corpus.py
 
-The corpus: tubes of different girth, mesh and frame rate, which bend once, twice or wave. Bodies need not correspond:
-motions are compared by how much of the surface deforms when.
+The corpus: tubes of different meshes and frame rates, which bend once or twice. Bodies need not correspond: motions are
+compared by how much of the surface deforms when.
 """
 
 import numpy as np
@@ -17,10 +17,11 @@ import numpy as np
 import animated_mesh_features as amf
 from tube import bending_tube
 
-CORPUS = {"one bend": dict(bends=[(0.5, 0.6)]), "one bend, coarser": dict(bends=[(0.5, 0.6)], around=16, along=40),
+CORPUS = {"one bend": dict(bends=[(0.5, 0.6)]),
+          "one bend, coarser": dict(bends=[(0.5, 0.6)], around=16, along=40),
           "one bend, 60 a second": dict(bends=[(0.4, 0.6)], frames=80, frame_duration=1 / 60),
-          "two bends": dict(bends=[(0.3, 0.3), (0.7, 0.9)]), "two bends, coarser": dict(bends=[(0.35, 0.3), (0.65, 0.9)],
-                                                                                       around=20, along=50)}
+          "two bends": dict(bends=[(0.3, 0.3), (0.7, 0.9)]),
+          "two bends, coarser": dict(bends=[(0.35, 0.3), (0.65, 0.9)], around=20, along=50)}
 
 
 def motion(bends, frame_duration=1 / 30, **shape):

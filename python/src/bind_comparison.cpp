@@ -244,7 +244,6 @@ void bind_comparison(py::module_& m)
 {
   PYBIND11_NUMPY_DTYPE(Match_record, a, b, confidence, difference);
   PYBIND11_NUMPY_DTYPE(Difference_record, a, b, amplitude);
-  m.attr("match_dtype") = py::dtype::of<Match_record>();
   py::class_<Signature, std::shared_ptr<Signature>>(m, "SignatureData")
       .def_readonly("number_of_vertices", &Signature::vertices)
       .def_readonly("number_of_frames", &Signature::frames)

@@ -60,7 +60,8 @@ def cylinder(tmp_path_factory):
 def figure(tmp_path_factory):
     """a running figure: the folder of its mesh f.obj, its frames f.pc2, 30 a second, and its rig's events e.json"""
     folder = tmp_path_factory.mktemp("figure")
-    run("MAKE_ANIMATION", "figure", "--vertices", 1200, "--frames", 36, "-o", folder / "f", "--events", folder / "e.json")
+    run("MAKE_ANIMATION", "figure", "--vertices", 1200, "--frames", 36, "-o", folder / "f", "--events",
+        folder / "e.json")
     return folder
 
 

@@ -41,8 +41,8 @@ def test_same_as_program(pair, signatures):
     """in two files of features, bit for bit; and in the animation itself"""
     folder, a, _ = pair
     files = [amf.read_features(folder / f"{name}.json") for name in "ab"]
-    options = ["--matched", 40, "--ratio", 0.95, "--mutual", "--max-slope", 2, "--end-weight", 0.5, "--bend-weight", 0.1,
-               "--recurrence-weight", 1, "--distance-recurrence-weight", 2, "--cycle-weight", 0.3, "--rate", 24]
+    options = ["--matched", 40, "--ratio", 0.95, "--mutual", "--max-slope", 2, "--end-weight", 0.5, "--bend-weight",
+               0.1, "--recurrence-weight", 1, "--distance-recurrence-weight", 2, "--cycle-weight", 0.3, "--rate", 24]
     run("COMPARE_ANIMATIONS", folder / "a.json", folder / "b.json", "-q", "-o", folder / "pair.json", *options)
     expected = json.loads((folder / "pair.json").read_text())
     x, y = (amf.signature(f, rate=24) for f in files)
@@ -63,8 +63,8 @@ def test_same_as_program(pair, signatures):
     for name in "ab":
         assert differences[name].tolist() == [-1 if d[name] is None else d[name] for d in expected["differences"]]
 
-    run("COMPARE_ANIMATIONS", "describe", folder / "f.pc2", "-q", "--write-descriptors", folder / "d.npy", "--descriptor",
-        "oriented")
+    run("COMPARE_ANIMATIONS", "describe", folder / "f.pc2", "-q", "--write-descriptors", folder / "d.npy",
+        "--descriptor", "oriented")
     expected = np.load(folder / "d.npy")
     assert expected.shape == (len(a), 192) and np.array_equal(amf.descriptors(a, descriptor="oriented"), expected)
     run("COMPARE_ANIMATIONS", "matrix", folder / "f.pc2", folder / "b.json", "-q", "-o", folder / "m.json")
@@ -103,6 +103,7 @@ def test_the_same_and_another(pair, signatures, cylinder):
     x, y = signatures
     assert amf.animation_distance(a, x) == 0
     same = amf.align(x, a)
+    assert same.periods == (x.period, x.period)
     assert same.cost == 0 and len(same.only_a) == len(same.only_b) == 0
     np.testing.assert_allclose(same.to_b([0.1, 0.5, 3]), [0.1, 0.5, 3], atol=1e-9)
     matches = amf.match_features(a, x)
@@ -132,6 +133,8 @@ def test_what_cannot_be_compared(pair, signatures):
     x, _ = signatures
     with pytest.raises(TypeError, match="a Detection, a FeatureFile or a Signature"):
         amf.align(a, a.features)
+    with pytest.raises(TypeError, match="a Detection is expected"):
+        amf.descriptors(amf.read_features(pair[0] / "a.json"))
     with pytest.raises(amf.OptionError):
         amf.align(x, amf.signature(a, rate=25))
     for call in (lambda: amf.align(x, x, max_slope=0), lambda: amf.match_features(x, x, ratio=2),

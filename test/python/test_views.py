@@ -40,7 +40,8 @@ def test_views(result, views):
     np.testing.assert_allclose(views.direction @ views.up, np.sin(np.radians(views.elevation)), atol=1e-12)
     assert (5 - 1e-6 <= views.elevation).all() and (views.elevation <= 50 + 1e-6).all()
     sums = views.scores.sum(axis=1)
-    assert sums.max() == pytest.approx(views.score[0]) and views.scores.shape == (len(views.directions), len(views.frames))
+    assert sums.max() == pytest.approx(views.score[0])
+    assert views.scores.shape == (len(views.directions), len(views.frames))
     assert (np.diff(views.covered) >= 0).all() and views.covered[0] == pytest.approx(views.score[0], abs=0.005)
     for options in (dict(threads=1), dict(features=result.features)):
         other = amf.select_views(result if "threads" in options else result.animation, **options)
