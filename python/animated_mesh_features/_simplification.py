@@ -30,6 +30,10 @@ class Level(NamedTuple):
     vertex_of: np.ndarray  #: N of int64: which vertex here has taken the place of each of the original; -1: none
     errors: Optional[np.ndarray]  #: see `Simplification.levels`; None if they were not measured
 
+    def __repr__(self):
+        m, n = self.shape
+        return f"<Level of {m} vertices, which follow {n}, and {len(self.faces)} triangles>"
+
     @property
     def shape(self) -> Tuple[int, int]:
         """M, N: ``scipy.sparse.csr_matrix((level.data, level.indices, level.indptr), level.shape)`` is the matrix by
@@ -139,7 +143,7 @@ def simplify(frames, faces=None, *, vertices=None, ratio=None, lods=None, error=
     support : int, optional
         the most vertices of the original that one vertex follows, up to 64, by default 8.
     measure : bool
-        whether errors are measured, which takes about as long as the simplification.
+        whether errors are measured, in all frames, which takes several times as long as the simplification.
     {resources}
     {running}
 

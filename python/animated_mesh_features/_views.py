@@ -31,6 +31,11 @@ class Views(NamedTuple):
     directions: np.ndarray  #: D x 3: all directions that were looked from
     scores: np.ndarray  #: D x K: what each shows in each frame; the sum of a row is its score
 
+    def __repr__(self):
+        views = "; ".join(f"azimuth {a:.0f}, elevation {e:.0f}, covered {c:.2f}"
+                          for a, e, c in zip(self.azimuth, self.elevation, self.covered))
+        return f"<Views in {len(self.frames)} frames: {views}>"
+
 
 @documented
 def select_views(animation, features=None, *, up=None, subdivisions=2, refinements=3, most_frames=16, most_views=3,
