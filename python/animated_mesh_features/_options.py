@@ -15,12 +15,13 @@ from . import _core
 
 # What is given without a value.
 _SWITCHES = frozenset(["no_suppression", "there_and_back", "allow_outside", "rescale_rest", "as_given", "triangulate",
-                       "repair", "skip_bad_frames", "no_sync", "mutual"])
+                       "repair", "skip_bad_frames", "no_sync"])
 # MIN:MAX
 _RANGES = frozenset(["sigma_range", "tau_range"])
 # numbers between commas
 _LISTS = frozenset(["vertices", "lods"])
 _REPEATABLE = frozenset(["output", "write_field", "frame"])
+_SWITCHES |= {"mutual"}  # of a comparison
 
 METHOD = """
     preset : {"calibrated", "published"}
