@@ -6,8 +6,8 @@
 
 """What pip calls to make a wheel or a source package (PEP 517): runs CMake and packs what it makes.
 
-Not scikit-build-core: with what is here, and nothing to be fetched for the build, ``pip install .`` works where there
-is no network. Needed are CMake, a C++ compiler, and the development packages of the project and of pybind11, see
+Not scikit-build-core, which Debian 12 does not have: with what is here, and nothing to be fetched for the build, ``pip
+install .`` works where there is no network. Needed are CMake, a C++ compiler, and the development packages of the project and of pybind11, see
 scripts/python.sh.
 
 Settings (``pip install . --config-settings=NAME=VALUE``):

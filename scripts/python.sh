@@ -40,7 +40,8 @@ echo "built in $((SECONDS - started)) s"
 say "Testing"
 programs="$folder/examples/Animated_mesh_features/programs"
 PYTHON="$python" PYTHONPATH="$folder/python" GALLERY="$root/python/gallery" \
-  DETECT_FEATURES="$programs/detect_features" MAKE_ANIMATION="$programs/make_animation" bash "$root/test/python/run.sh"
+  DETECT_FEATURES="$programs/detect_features" MAKE_ANIMATION="$programs/make_animation" \
+  COMPARE_ANIMATIONS="$programs/compare_animations" SIMPLIFY_ANIMATION="$programs/simplify_animation" bash "$root/test/python/run.sh"
 
 say "An example: a figure that runs, as arrays"
 "$programs/make_animation" figure -o "$folder/figure" > /dev/null

@@ -18,6 +18,10 @@ detect_in_field   features of a field of your own
 Animation         an animation that is used several times; read_animation: from files
 strain, curvature, deformation, geodesic_balls
                   the parts alone
+descriptors, match_features, align, animation_distance, distance_matrix
+                  animations beside each other, of whatever meshes; Signature, signature: what is compared of each
+simplify          fewer vertices for all frames at once
+select_views      where features are seen from
 read_features     files of features
 evaluation        how good features are
 
@@ -33,6 +37,10 @@ from ._detection import (Detection, curvature, deformation, detect, detect_in_fi
                          strain)
 from ._files import FeatureFile, read_features
 from ._options import options
+from ._comparison import (Alignment, Signature, align, animation_distance, classical_scaling, descriptors,
+                          distance_matrix, event_differences, match_features, signature)
+from ._simplification import Level, Simplification, simplify
+from ._views import Views, select_views
 from . import evaluation
 
 __version__ = _core.__version__
@@ -40,7 +48,10 @@ __version__ = _core.__version__
 #: Whether detections run on several threads: the module was built with oneTBB.
 has_threads = _core.has_threads
 
-__all__ = ["Animation", "Cancelled", "Detection", "Error", "FeatureFile", "InputError", "Notice", "NumericalError",
-           "OptionError", "OutputError", "Shape", "curvature", "deformation", "detect", "detect_in_field", "evaluation",
-           "feature_dtype", "geodesic_balls", "has_threads", "options", "read_animation", "read_features", "strain"]
+__all__ = ["Alignment", "Animation", "Cancelled", "Detection", "Error", "FeatureFile", "InputError", "Level", "Notice",
+           "NumericalError", "OptionError", "OutputError", "Shape", "Signature", "Simplification", "Views", "align",
+           "animation_distance", "classical_scaling", "curvature", "deformation", "descriptors", "detect",
+           "detect_in_field", "distance_matrix", "evaluation", "event_differences", "feature_dtype", "geodesic_balls",
+           "has_threads", "match_features", "options", "read_animation", "read_features", "select_views", "signature",
+           "simplify", "strain"]
 

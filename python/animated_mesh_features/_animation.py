@@ -155,8 +155,8 @@ class Animation(Shape):
     """
 
     def __init__(self, frames, faces, *, frame_duration=None, fps=None, rest=None, rescale_rest=False,
-                 triangulate=False, weld="auto", repair=False, skip_bad_frames=False, memory=None, scratch=None,
-                 threads=None, visitor=None):
+                 triangulate=False, weld="auto", repair=False, skip_bad_frames=False, denoise=None, memory=None,
+                 scratch=None, threads=None, visitor=None):
         if frame_duration is not None:
             if fps is not None:
                 raise TypeError("frame_duration and fps exclude each other")
@@ -172,7 +172,8 @@ class Animation(Shape):
         self._take(_core.animation_of_arrays(
             _frames(frames), _faces(faces), points,
             arguments(fps=fps, rest=rest, rescale_rest=rescale_rest, triangulate=triangulate, weld=weld, repair=repair,
-                      skip_bad_frames=skip_bad_frames, memory=memory, scratch=scratch, threads=threads), visitor))
+                      skip_bad_frames=skip_bad_frames, denoise=denoise, memory=memory, scratch=scratch, threads=threads),
+            visitor))
 
     def _take(self, data):
         self._data = data
@@ -272,7 +273,7 @@ class Animation(Shape):
 @documented
 def read_animation(*inputs, fps=None, clip=None, frames=None, there_and_back=False, allow_outside=False, faces=None,
                    rest=None, rescale_rest=False, as_given=False, triangulate=False, weld="auto", repair=False,
-                   skip_bad_frames=False, memory=None, scratch=None, threads=None, visitor=None) -> Animation:
+                   skip_bad_frames=False, denoise=None, memory=None, scratch=None, threads=None, visitor=None) -> Animation:
     """Reads an animation from files, as the program ``detect_features`` does.
 
     Parameters
@@ -305,7 +306,7 @@ def read_animation(*inputs, fps=None, clip=None, frames=None, there_and_back=Fal
         scale the file, the mesh or the bind pose so that its median edge is as long as that of the frames.
     as_given : bool
         take meshes as the frames in the order in which they are given, whatever numbers are in their names.
-    triangulate, weld, repair, skip_bad_frames
+    triangulate, weld, repair, skip_bad_frames, denoise
         see `Animation`.
     {resources}
     {running}
@@ -319,7 +320,7 @@ def read_animation(*inputs, fps=None, clip=None, frames=None, there_and_back=Fal
     animation._take(_core.animation_of_files(names, arguments(
         fps=fps, clip=clip, frames=frames, there_and_back=there_and_back, allow_outside=allow_outside, faces=faces,
         rest=rest, rescale_rest=rescale_rest, as_given=as_given, triangulate=triangulate, weld=weld, repair=repair,
-        skip_bad_frames=skip_bad_frames, memory=memory, scratch=scratch, threads=threads), visitor))
+        skip_bad_frames=skip_bad_frames, denoise=denoise, memory=memory, scratch=scratch, threads=threads), visitor))
     return animation
 
 
@@ -327,7 +328,7 @@ def animation_of(frames, faces, keywords):
     """The animation that was given, or the one of the arrays; takes out of the keywords what that is made of."""
     own = {name: keywords.pop(name) for name in
            ("frame_duration", "fps", "rest", "rescale_rest", "triangulate", "weld", "repair", "skip_bad_frames",
-            "memory", "scratch")}
+            "denoise", "memory", "scratch")}
     if isinstance(frames, Animation):
         given = [name for name, value in own.items() if value is not None and value is not False and value != "auto"]
         if faces is not None or given:
@@ -335,5 +336,5 @@ def animation_of(frames, faces, keywords):
                             "Animation, which has its own")
         return frames
     if faces is None:
-        raise TypeError("faces are needed: detect(frames, faces)")
+        raise TypeError("faces are needed with an array of frames")
     return Animation(frames, faces, threads=keywords["threads"], visitor=keywords["visitor"], **own)

@@ -34,7 +34,8 @@ class Animation(Shape):
     def __init__(self, frames: Frames, faces: ArrayLike, *, frame_duration: Optional[float] = ...,
                  fps: Optional[float] = ..., rest: Union[None, str, int, PathLike, ArrayLike] = ...,
                  rescale_rest: bool = ..., triangulate: bool = ..., weld: Literal["auto", "always", "never"] = ...,
-                 repair: bool = ..., skip_bad_frames: bool = ..., memory: Union[None, int, str] = ...,
+                 repair: bool = ..., skip_bad_frames: bool = ...,
+                 denoise: Optional[Literal["auto", "always", "never"]] = ..., memory: Union[None, int, str] = ...,
                  scratch: Optional[PathLike] = ..., threads: Optional[int] = ..., visitor: Visitor = ...) -> None: ...
     @property
     def number_of_vertices(self) -> int: ...
@@ -73,7 +74,8 @@ def read_animation(*inputs: PathLike, fps: Optional[float] = ..., clip: Union[No
                    frames: Union[None, int, str] = ..., there_and_back: bool = ..., allow_outside: bool = ...,
                    faces: Optional[str] = ..., rest: Optional[PathLike] = ..., rescale_rest: bool = ...,
                    as_given: bool = ..., triangulate: bool = ..., weld: Literal["auto", "always", "never"] = ...,
-                   repair: bool = ..., skip_bad_frames: bool = ..., memory: Union[None, int, str] = ...,
+                   repair: bool = ..., skip_bad_frames: bool = ...,
+                   denoise: Optional[Literal["auto", "always", "never"]] = ..., memory: Union[None, int, str] = ...,
                    scratch: Optional[PathLike] = ..., threads: Optional[int] = ..., visitor: Visitor = ...
                    ) -> Animation: ...
 

@@ -9,6 +9,8 @@ feature_dtype: np.dtype
 READING: int
 METHOD: int
 OUTPUT: int
+COMPARISON: int
+SIMPLIFICATION: int
 
 _Visitor = Optional[Callable[[str, float], Any]]
 
@@ -51,6 +53,42 @@ class DetectionData:
     def field(self, kind: str) -> Optional[np.ndarray]: ...
     def write(self, arguments: List[str]) -> None: ...
 
+class SignatureData:
+    number_of_vertices: int
+    number_of_frames: int
+    frame_duration: float
+    bounding_box_diagonal: float
+    features: np.ndarray
+    descriptors: np.ndarray
+    activity: np.ndarray
+    rate: float
+    period: float
+    cycle_strength: float
+
+class AlignmentData:
+    times_a: np.ndarray
+    times_b: np.ndarray
+    cost: float
+    confidence: float
+    phase: Optional[float]
+    pairs: np.ndarray
+    only_a: np.ndarray
+    only_b: np.ndarray
+    score: float
+    def to_a(self, times: Any) -> Any: ...
+    def to_b(self, times: Any) -> Any: ...
+
+class SimplificationData:
+    number_of_levels: int
+    poses: List[int]
+    report: str
+    table: str
+    def vertices(self, level: int) -> np.ndarray: ...
+    def faces(self, level: int) -> np.ndarray: ...
+    def binding(self, level: int) -> Tuple[np.ndarray, np.ndarray, np.ndarray]: ...
+    def vertex_of(self, level: int) -> np.ndarray: ...
+    def errors(self, level: int) -> Optional[np.ndarray]: ...
+
 class RigOptions:
     least_prominence: float
     least_angle: float
@@ -85,3 +123,20 @@ def prominent_maxima(series: np.ndarray, least: float) -> List[Tuple[int, float,
 def rig_matches(points: np.ndarray, size: float, regions: List[List[int]],
                 events: List[Tuple[int, float, float, float]], frames: int, frame_duration: float, features: np.ndarray,
                 options: RigOptions) -> Tuple[np.ndarray, np.ndarray, List[int], List[Tuple[int, float]]]: ...
+def descriptors(detection: DetectionData, features: np.ndarray, arguments: List[str],
+                visitor: _Visitor) -> np.ndarray: ...
+def signature(detection: DetectionData, features: np.ndarray, arguments: List[str],
+              visitor: _Visitor) -> SignatureData: ...
+def signature_of_features(features: np.ndarray, vertices: int, frames: int, frame_duration: float, diagonal: float,
+                          arguments: List[str]) -> SignatureData: ...
+def match_features(a: SignatureData, b: SignatureData, arguments: List[str]) -> np.ndarray: ...
+def align(a: SignatureData, b: SignatureData, arguments: List[str]) -> AlignmentData: ...
+def distances(signatures: List[SignatureData], arguments: List[str], visitor: _Visitor) -> np.ndarray: ...
+def event_differences(a: SignatureData, b: SignatureData, alignment: AlignmentData, place: float, profile: float,
+                      frames: float, factor: float) -> np.ndarray: ...
+def classical_scaling(distances: np.ndarray) -> np.ndarray: ...
+def simplify(animation: AnimationData, features: np.ndarray, arguments: List[str], is_measured: bool,
+             visitor: _Visitor) -> SimplificationData: ...
+def select_views(animation: AnimationData, features: np.ndarray, up: Optional[List[float]], subdivisions: int,
+                 refinements: int, most_frames: int, most_views: int, lowest_elevation: float,
+                 highest_elevation: float, arguments: List[str], visitor: _Visitor) -> Dict[str, np.ndarray]: ...

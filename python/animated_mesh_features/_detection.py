@@ -159,7 +159,8 @@ class Detection:
 
 @documented
 def detect(frames, faces=None, *, frame_duration=None, fps=None, rest=None, rescale_rest=False, triangulate=False,
-           weld="auto", repair=False, skip_bad_frames=False, preset="calibrated", strain=None, curvature=None,
+           weld="auto", repair=False, skip_bad_frames=False,
+           denoise=None, preset="calibrated", strain=None, curvature=None,
            balls=None, ball_radius=None, alpha=None, baseline=None, spatial_filter=None, dimension=None,
            temporal_filter=None, box_width=None, space_counts=None, time_counts=None, sigma_range=None, tau_range=None,
            threshold=None, relative_threshold=None, min_fit=None, top=None, no_suppression=False,
@@ -275,7 +276,8 @@ def _measure(kind, frames, faces, keywords):
 
 @documented
 def strain(frames, faces=None, *, frame_duration=None, fps=None, rest=None, rescale_rest=False, triangulate=False,
-           weld="auto", repair=False, skip_bad_frames=False, preset="calibrated", strain=None, memory=None,
+           weld="auto", repair=False, skip_bad_frames=False,
+           denoise=None, preset="calibrated", strain=None, memory=None,
            scratch=None, threads=None, visitor=None) -> np.ndarray:
     """Measures the strain of all vertices in all frames against the rest shape: N x F, without unit, O(N F).
 
@@ -300,7 +302,8 @@ def strain(frames, faces=None, *, frame_duration=None, fps=None, rest=None, resc
 
 @documented
 def curvature(frames, faces=None, *, frame_duration=None, fps=None, rest=None, rescale_rest=False, triangulate=False,
-              weld="auto", repair=False, skip_bad_frames=False, preset="calibrated", curvature=None, balls=None,
+              weld="auto", repair=False, skip_bad_frames=False,
+              denoise=None, preset="calibrated", curvature=None, balls=None,
               ball_radius=None, memory=None, scratch=None, threads=None, visitor=None) -> np.ndarray:
     """Measures the absolute change of curvature from the rest shape, over geodesic balls: N x F, without unit, O(N F)
     and the balls.
@@ -324,7 +327,8 @@ def curvature(frames, faces=None, *, frame_duration=None, fps=None, rest=None, r
 
 @documented
 def deformation(frames, faces=None, *, frame_duration=None, fps=None, rest=None, rescale_rest=False, triangulate=False,
-                weld="auto", repair=False, skip_bad_frames=False, preset="calibrated", strain=None, curvature=None,
+                weld="auto", repair=False, skip_bad_frames=False,
+                denoise=None, preset="calibrated", strain=None, curvature=None,
                 balls=None, ball_radius=None, alpha=None, baseline=None, memory=None, scratch=None, threads=None,
                 visitor=None) -> np.ndarray:
     """Measures the deformation in which features are found: strain + alpha |change of curvature|, less what never

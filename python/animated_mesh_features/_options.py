@@ -18,7 +18,10 @@ _SWITCHES = frozenset(["no_suppression", "there_and_back", "allow_outside", "res
                        "repair", "skip_bad_frames", "no_sync"])
 # MIN:MAX
 _RANGES = frozenset(["sigma_range", "tau_range"])
+# numbers between commas
+_LISTS = frozenset(["vertices", "lods"])
 _REPEATABLE = frozenset(["output", "write_field", "frame"])
+_SWITCHES |= {"mutual"}  # of a comparison
 
 METHOD = """
     preset : {"calibrated", "published"}
@@ -99,7 +102,10 @@ ARRAYS = """
         unlike its neighbours, take apart what meets in a vertex only.
     skip_bad_frames : bool
         leave out frames that are broken, without extent or with a vertex that is exploded, and bridge them in time. By
-        default they are an error, but for a single frame without extent."""
+        default they are an error, but for a single frame without extent.
+    denoise : {"auto", "always", "never"}, optional
+        whether noise of the positions is taken out, as scans and captures have it, independent in vertices and frames:
+        by default where it is more than 10 % of the mean edge."""
 
 RESOURCES = """
     memory : int or str, optional
@@ -113,8 +119,9 @@ RUNNING = """
         so many at most, by default all; the result is the same, bit for bit.
     visitor : callable, optional
         ``visitor(stage, fraction)``, called from this thread some 30 times a stage with the stage's name ("geodesic
-        balls", "strain", "curvature", "scale space", "extrema", "rest shape") and how far it is, from 0 to 1. If it
-        returns False, `Cancelled` is raised; an exception of its own goes through. Ctrl-C works without one, too."""
+        balls", "strain", "curvature", "scale space", "extrema", "rest shape"; "descriptors", "distances",
+        "simplification", "errors", "views") and how far it is, from 0 to 1. If it returns False, `Cancelled` is raised;
+        an exception of its own goes through. Ctrl-C works without one, too."""
 
 ERRORS = """
     InputError
@@ -175,6 +182,8 @@ def arguments(**keywords):
             continue
         elif name in _RANGES:
             result.append(f"{option}={_range_text(name, value)}")
+        elif name in _LISTS and np.ndim(value) == 1:
+            result.append(f"{option}={','.join(_text(name, x) for x in value)}")
         elif name in _REPEATABLE and not isinstance(value, (str, os.PathLike, int, np.integer)):
             result.extend(f"{option}={_text(name, x)}" for x in value)
         else:
@@ -183,6 +192,8 @@ def arguments(**keywords):
 
 
 def options(what=("input", "method", "output")):
-    """The options of the command line, with their defaults, as ``detect_features --help`` lists them."""
-    kinds = {"input": _core.READING, "method": _core.METHOD, "output": _core.OUTPUT}
+    """The options of the command line, with their defaults, as ``detect_features --help`` lists them; also those of
+    "comparison" and "simplification", as the programs for these do."""
+    kinds = {"input": _core.READING, "method": _core.METHOD, "output": _core.OUTPUT, "comparison": _core.COMPARISON,
+             "simplification": _core.SIMPLIFICATION}
     return _core.help_of(sum(kinds[kind] for kind in what))

@@ -6,6 +6,7 @@
 
 #include "Arguments.h"
 
+#include "compare_animations/Command_line.h"
 #include "options/Option_groups.h"
 
 #include <sstream>
@@ -22,6 +23,11 @@ void add(Option_groups& groups, Options& o, int taken)
   if (taken & METHOD) {
     add_method_options(groups.add_group("Method"), o.method);
     add_selection_options(groups.add_group("Selection"), o.method);
+  }
+  if (taken & COMPARISON) add_comparison_options(groups.add_group("Comparison"), o.comparison);
+  if (taken & SIMPLIFICATION) {
+    add_target_options(groups.add_group("How much is left (one of them)"), o.simplification);
+    add_simplification_options(groups.add_group("Simplification"), o.simplification);
   }
   if (taken & OUTPUT) add_output_options(groups.add_group("Output"), o.output);
   add_resource_options(groups.add_group("Resources"), o.run);
@@ -40,6 +46,8 @@ Options options_of(const Arguments& arguments, int taken)
   groups.use();
   check(o.run);
   if (taken & METHOD) check(o.method);
+  if (taken & COMPARISON) check_comparison(o.comparison);
+  if (taken & SIMPLIFICATION) check_target(o.simplification);
   if (taken & OUTPUT) check_picture_options(o.output.picture);
   return o;
 }

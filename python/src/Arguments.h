@@ -7,10 +7,12 @@
 #ifndef PYTHON_MODULE_ARGUMENTS_H
 #define PYTHON_MODULE_ARGUMENTS_H
 
+#include "compare_animations/Settings.h"
 #include "detect_features/Method_options.h"
 #include "output/Output_options.h"
 #include "reading/Reading_options.h"
 #include "running/Run_options.h"
+#include "simplify_animation/Command_line.h"
 
 #include <string>
 #include <vector>
@@ -26,6 +28,8 @@ struct Options
   Programs::Reading_options reading;
   Detect_features::Method_options method;
   Programs::Output_options output;
+  Compare_animations::Settings comparison;
+  Simplify_animation::Command_line simplification;
   Programs::Run_options run;
 };
 
@@ -34,7 +38,9 @@ enum Taken
 {
   READING = 1,
   METHOD = 2,
-  OUTPUT = 4
+  OUTPUT = 4,
+  COMPARISON = 8,
+  SIMPLIFICATION = 16
 };
 
 // throws Option_error.

@@ -45,6 +45,8 @@ public:
                  const Arguments& arguments, Python_monitor& monitor);
 
   const Detect_features::Detection& detection() const { return m_detection; }
+  const Shape_data& shape() const { return *m_shape; }
+  double frame_duration() const { return m_frame_duration; }
 
   // null if it was not kept
   const Programs::Values* field(Programs::Field kind) const;

@@ -26,11 +26,16 @@ void Python_monitor::end(CGAL::Animated_mesh_features::Stage) {}
 
 bool Python_monitor::progress(CGAL::Animated_mesh_features::Stage stage, double fraction)
 {
+  return progress(name(stage), fraction);
+}
+
+bool Python_monitor::progress(const char* stage, double fraction)
+{
   if (m_error) return false;
   py::gil_scoped_acquire acquire;
   try {
     if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    return m_visitor.is_none() || m_visitor(name(stage), fraction).ptr() != Py_False;
+    return m_visitor.is_none() || m_visitor(stage, fraction).ptr() != Py_False;
   } catch (...) {
     m_error = std::current_exception();
     return false;

@@ -29,6 +29,8 @@ public:
 
   void begin(CGAL::Animated_mesh_features::Stage stage) override;
   bool progress(CGAL::Animated_mesh_features::Stage stage, double fraction) override;
+  // the same of what has a name of its own
+  bool progress(const char* stage, double fraction);
   void end(CGAL::Animated_mesh_features::Stage stage) override;
 
   // Runs `compute` without Python's lock. What the callable threw, or KeyboardInterrupt, takes the place of Cancelled.
@@ -48,6 +50,24 @@ private:
   Programs::Stage_log m_log;
   pybind11::object m_visitor;
   std::exception_ptr m_error; // of the callable
+};
+
+// A visitor of what is no stage of the library: whatever it is told of has the one name.
+class Named_stage
+{
+public:
+  Named_stage(Python_monitor& monitor, const char* name)
+    : m_monitor(&monitor)
+    , m_name(name)
+  {}
+
+  void begin(CGAL::Animated_mesh_features::Stage) {}
+  bool progress(CGAL::Animated_mesh_features::Stage, double fraction) { return m_monitor->progress(m_name, fraction); }
+  void end(CGAL::Animated_mesh_features::Stage) {}
+
+private:
+  Python_monitor* m_monitor;
+  const char* m_name;
 };
 
 } // namespace Python_module

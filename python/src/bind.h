@@ -19,6 +19,9 @@ void bind_exceptions(pybind11::module_& module);
 void bind_animation(pybind11::module_& module);
 void bind_detection(pybind11::module_& module);
 void bind_evaluation(pybind11::module_& module);
+void bind_comparison(pybind11::module_& module);
+void bind_simplification(pybind11::module_& module);
+void bind_views(pybind11::module_& module);
 
 } // namespace Python_module
 

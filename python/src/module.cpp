@@ -27,8 +27,13 @@ PYBIND11_MODULE(_core, m)
   m.attr("READING") = int(READING);
   m.attr("METHOD") = int(METHOD);
   m.attr("OUTPUT") = int(OUTPUT);
+  m.attr("COMPARISON") = int(COMPARISON);
+  m.attr("SIMPLIFICATION") = int(SIMPLIFICATION);
   bind_exceptions(m);
   bind_animation(m);
   bind_detection(m);
   bind_evaluation(m);
+  bind_comparison(m);
+  bind_simplification(m);
+  bind_views(m);
 }

@@ -57,6 +57,15 @@ def cylinder(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
+def figure(tmp_path_factory):
+    """a running figure: the folder of its mesh f.obj, its frames f.pc2, 30 a second, and its rig's events e.json"""
+    folder = tmp_path_factory.mktemp("figure")
+    run("MAKE_ANIMATION", "figure", "--vertices", 1200, "--frames", 36, "-o", folder / "f", "--events",
+        folder / "e.json")
+    return folder
+
+
+@pytest.fixture(scope="session")
 def found_by_program(cylinder):
     """what the program finds: found_by_program("--rest", "average") is the content of the JSON file"""
     def find(*options, field=None):

@@ -173,23 +173,71 @@ def test_own_field(cylinder, result):
         assert abs(best["frame"] - moment) <= 1 and best["tau"] == pytest.approx(3 * 0.05, rel=0.25)
 
 
-def test_options_are_those_of_the_program():
-    """every option of the command line is a keyword of the same name, and no keyword is missing in the documentation"""
-    usage = subprocess.run([program("DETECT_FEATURES"), "--help"], capture_output=True, text=True, check=True).stdout
-    options = {o.replace("-", "_") for o in re.findall(r"^ *(?:-\w \[ )?--([a-z-]+)", usage, re.MULTILINE)}
-    options -= {"help", "version", "quiet", "verbose", "man", "completion"}  # what concerns a terminal
-    keywords = set()
-    for function in (amf.detect, amf.read_animation, amf.Detection.write):
-        parameters = inspect.signature(function).parameters
-        keywords |= set(parameters)
-        for name in parameters:
-            assert name == "self" or re.search(rf"\b{name}\b", function.__doc__), (function, name)
-    assert options <= keywords, options - keywords
+def option_table(name):
+    """the options in the help text of a program: for each its description in one line"""
+    usage = subprocess.run([program(name), "--help"], capture_output=True, text=True, check=True).stdout
+    parts = re.split(r"^  (?:-\w \[ )?--([a-z-]+)", usage, flags=re.MULTILINE)
+    return {option: " ".join(text.split("\n\n")[0].split()) for option, text in zip(parts[1::2], parts[2::2])}
+
+
+def keywords_of(*functions):
+    """their arguments that can be keywords, with their defaults"""
+    return {name: p.default for f in functions for name, p in inspect.signature(f).parameters.items()
+            if p.kind != p.VAR_POSITIONAL and p.default is not p.empty}
+
+
+TERMINAL = {"help", "version", "quiet", "verbose"}
+# What an array has no use for: it is sliced, frames[a:b + 1], and is no file that would have to be understood.
+FILES = {"clip", "frames", "there-and-back", "allow-outside", "faces", "as-given"}
+
+
+@pytest.mark.parametrize("name, functions, without", [
+    ("DETECT_FEATURES", (amf.detect, amf.Detection.write), TERMINAL | FILES | {"man", "completion"}),
+    ("DETECT_FEATURES", (amf.read_animation, amf.detect, amf.Detection.write), TERMINAL | {"man", "completion"}),
+    # a signature stands for the cache, an array for a file, a comparison with the tolerance for the check
+    ("COMPARE_ANIMATIONS", (amf.read_animation, amf.detect, amf.descriptors, amf.signature, amf.match_features,
+                            amf.align, amf.distance_matrix),
+     TERMINAL - {"version"} | {"cache", "output", "plot", "write-descriptors", "check", "tolerance"}),
+    ("SIMPLIFY_ANIMATION", (amf.read_animation, amf.simplify),
+     TERMINAL | {"output", "format", "also", "binding", "report", "plot"}),
+])
+def test_options_are_those_of_the_program(name, functions, without):
+    """every option of the command line is a keyword of the same name and default, but for what makes no sense here"""
+    table = option_table(name)
+    keywords = keywords_of(*functions)
+    without_faces = dict(keywords)
+    if amf.read_animation not in functions:
+        del without_faces["faces"]  # an array there
+    assert {o for o in table if o.replace("-", "_") not in without_faces} == without
+    told = 0
+    for option, text in table.items():
+        default = keywords.get(option.replace("-", "_"))
+        if option in without or default is None or default is False:
+            continue  # left to the program's own library, and a switch
+        told += 1
+        value = f"{default:g}" if isinstance(default, float) else str(default)
+        assert re.search(rf"\(default: {value}\b|\b{value} \(default\)|\b{value}, default", text), (option, text)
+    assert told >= (0 if name == "SIMPLIFY_ANIMATION" else 2)
+    # and every default of the module's own has its option there
+    for function in functions:
+        for keyword in inspect.signature(function).parameters:
+            assert keyword == "self" or re.search(rf"\b{keyword}\b", function.__doc__), (function, keyword)
+
+
+def test_frames_of_a_range(cylinder, found_by_program):
+    r = amf.detect(cylinder.frames[5:31], cylinder.faces, fps=20, rest="average")
+    assert_same_features(r.features, found_by_program("--rest", "average", "--frames", "5:30")["features"])
+    files = amf.read_animation(cylinder.mesh, cylinder.cache, fps=20, rest="average", frames="5:30")
+    assert np.array_equal(amf.detect(files).features, r.features)
+
+
+def test_documentation():
     assert "--sigma-range" in amf.options()
+    assert "--bend-weight" in amf.options(["comparison"]) and "--lods" in amf.options(["simplification"])
     for name in amf.__all__:
         assert getattr(amf, name) is not None
         assert not callable(getattr(amf, name)) or getattr(amf, name).__doc__, name
-        assert "{" + "method}" not in (getattr(amf, name).__doc__ or "")
+        assert not re.search(r"^ *\{\w+\}$", getattr(amf, name).__doc__ or "", re.MULTILINE), name
 
 
 def test_type_stubs():
@@ -197,7 +245,7 @@ def test_type_stubs():
     folder = pathlib.Path(amf.__file__).parent
     assert (folder / "py.typed").exists()
     known = 0
-    for stub in ("_animation", "_detection"):
+    for stub in ("_animation", "_detection", "_comparison", "_simplification", "_views"):
         for node in ast.parse((folder / f"{stub}.pyi").read_text(encoding="utf-8")).body:
             own = getattr(amf, node.name, None) if isinstance(node, ast.ClassDef) else amf
             for f in node.body if isinstance(node, ast.ClassDef) else [node]:

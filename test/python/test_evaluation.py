@@ -12,7 +12,6 @@ import numpy as np
 import pytest
 
 import animated_mesh_features as amf
-from conftest import run
 
 ev = amf.evaluation
 
@@ -114,16 +113,14 @@ def test_intervals_and_chance(result):
     assert ev.prominent_maxima([0, 3, 1, 2, 0, 0.5, 0], 1) == [(1, 3.0, 3.0), (3, 2.0, 1.0)]
 
 
-def test_rig(tmp_path):
+def test_rig(figure, tmp_path):
     """the figure's features are at the bends of its joints, more than by chance"""
-    run("MAKE_ANIMATION", "figure", "--vertices", 1200, "--frames", 24, "-o", tmp_path / "f",
-        "--events", tmp_path / "e.json")
-    rig = ev.read_rig_events(tmp_path / "e.json")
-    a = amf.read_animation(tmp_path / "f.obj", tmp_path / "f.pc2", rest="mesh", fps=1 / rig.frame_duration)
+    rig = ev.read_rig_events(figure / "e.json")
+    a = amf.read_animation(figure / "f.obj", figure / "f.pc2", rest="mesh", fps=1 / rig.frame_duration)
     f = amf.detect(a, top=20).features
     matches = ev.rig_matches(rig, a.vertices, f)
     assert len(matches.found) == len(matches.recalled) > 0 and len(matches.at_event) == len(f)
-    chance = ev.chance_level(f, a.number_of_vertices, 24 * a.frame_duration,
+    chance = ev.chance_level(f, a.number_of_vertices, 36 * a.frame_duration,
                              lambda g: ev.rig_matches(rig, a.vertices, g).at_event.mean())
     assert matches.at_event.mean() > chance + 0.2
     assert ev.rig_matches(rig, a.vertices, f, least_recalled_angle=1000.0).recalled == []

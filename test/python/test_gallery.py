@@ -35,7 +35,15 @@ def test_compare_corpus(tmp_path):
     rows = [[float(x) for x in line.split()[-5:]]
             for line in run([GALLERY / "compare_corpus.py"], tmp_path).splitlines()[-5:]]
     assert all(rows[i][i] == 0 for i in range(5)) and all(rows[i][j] == rows[j][i] for i in range(5) for j in range(5))
-    assert rows[0][1] < min(rows[0][2:])  # a little later is nearest
+    # one bend and two bends, whatever the mesh and the frame rate
+    same = rows[0][1:3] + rows[1][2:3] + rows[3][4:]
+    assert max(same) < min(rows[i][j] for i in range(3) for j in (3, 4))
+
+
+def test_simplify(tmp_path):
+    lines = run([GALLERY / "simplify.py", "out.obj"], tmp_path).splitlines()
+    assert lines[-1] == "positions: 40 x 144 x 3 written: out.obj"
+    assert (tmp_path / "out.obj").read_text().count("v ") == 144
 
 
 def test_read_hdf5(tmp_path):

@@ -57,6 +57,8 @@ void set_plot([[maybe_unused]] const Argument& a, [[maybe_unused]] Settings& s)
 #endif
 }
 
+} // namespace
+
 void add_comparison_options(Option_group& group, Settings& s)
 {
   const auto weight = [&](const std::string& name, const std::string& text, double& value) {
@@ -92,6 +94,15 @@ void add_comparison_options(Option_group& group, Settings& s)
     s.is_oriented = a.text() == "oriented";
   });
 }
+
+void check_comparison(const Settings& s)
+{
+  s.alignment.check();
+  s.matching.check();
+  s.activity.check();
+}
+
+namespace {
 
 void add_options(Option_groups& groups, Settings& s)
 {
@@ -201,9 +212,7 @@ void run(Mode mode, Settings& s)
   check_words(mode, s);
   check(s.run);
   check(s.method);
-  s.alignment.check();
-  s.matching.check();
-  s.activity.check();
+  check_comparison(s);
   std::vector<std::string> outputs;
   for (const std::string& path : {s.json, s.plot, s.descriptors})
     if (!path.empty()) outputs.push_back(path);

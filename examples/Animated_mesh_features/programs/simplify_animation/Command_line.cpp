@@ -60,11 +60,10 @@ void set_plot([[maybe_unused]] const Argument& a, [[maybe_unused]] Command_line&
 #endif
 }
 
-void add_options(Option_groups& groups, Command_line& o)
+} // namespace
+
+void add_target_options(Option_group& target, Command_line& o)
 {
-  o.reading.denoise = Programs::Denoise::NEVER; // what is to be simplified is what was given
-  Programs::add_reading_options(groups.add_group("Animation"), o.reading);
-  Option_group& target = groups.add_group("How much is left (one of them)");
   target.add("vertices", "N,...", "so many vertices; several numbers are levels of detail, from fine to coarse",
              [&](const Argument& a) { for_each_part(a, [&](const Argument& p) { o.vertices.push_back(p.count()); }); });
   target.add("ratio", "R", "this share of the vertices, up to 1",
@@ -79,7 +78,17 @@ void add_options(Option_groups& groups, Command_line& o)
       "as few vertices as keep the mean distance, both ways, below E % of the diagonal of the rest shape in every "
       "frame; found within 10 % of their number",
       [&](const Argument& a) { o.error = a.positive_number(); });
-  Option_group& method = groups.add_group("Method");
+}
+
+void check_target(const Command_line& o)
+{
+  const int targets = int(!o.vertices.empty()) + int(!o.ratios.empty()) + int(o.error.has_value());
+  if (targets != 1)
+    throw Option_error("say how much is to be left, in one way: --vertices, --ratio, --lods or --error");
+}
+
+void add_simplification_options(Option_group& method, Command_line& o)
+{
   method.add("poses", "N", "the most poses whose quadrics are summed (default: 32)", [&](const Argument& a) {
     o.method.poses = a.count();
     if (o.method.poses == 0) a.refuse("is not positive");
@@ -102,6 +111,16 @@ void add_options(Option_groups& groups, Command_line& o)
                o.method.support = a.count();
                if (o.method.support == 0 || o.method.support > 64) a.refuse("is not from 1 to 64");
              });
+}
+
+namespace {
+
+void add_options(Option_groups& groups, Command_line& o)
+{
+  o.reading.denoise = Programs::Denoise::NEVER; // what is to be simplified is what was given
+  Programs::add_reading_options(groups.add_group("Animation"), o.reading);
+  add_target_options(groups.add_group("How much is left (one of them)"), o);
+  add_simplification_options(groups.add_group("Method"), o);
   Option_group& output = groups.add_group("Output");
   output.add("output,o", "BASE", "write each level: BASE.obj and BASE.pc2, or BASE-1.obj, BASE-2.obj ... of several",
              [&](const Argument& a) { o.base = a.text(); });
@@ -135,9 +154,7 @@ void check(const Command_line& o)
 {
   Programs::check(o.reading);
   Programs::check(o.running);
-  const int targets = int(!o.vertices.empty()) + int(!o.ratios.empty()) + int(o.error.has_value());
-  if (targets != 1)
-    throw Option_error("say how much is to be left, in one way: --vertices, --ratio, --lods or --error");
+  check_target(o);
   if (o.strength && o.features.empty()) throw Option_error("--guidance goes with --features");
   if (o.base.empty() && o.json.empty() && o.plot.empty() && o.binding.empty())
     throw Option_error("say where to write: -o BASE, --report, --plot or --binding");

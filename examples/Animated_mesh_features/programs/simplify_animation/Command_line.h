@@ -8,6 +8,7 @@
 #define SIMPLIFY_ANIMATION_COMMAND_LINE_H
 
 #include "options/Names.h"
+#include "options/Option_groups.h"
 #include "reading/Reading_options.h"
 #include "running/Run_options.h"
 
@@ -53,6 +54,15 @@ struct Command_line
 
   bool measures() const { return !json.empty() || !plot.empty() || error || !running.quiet; }
 };
+
+// How much is left.
+void add_target_options(Programs::Option_group& group, Command_line& options);
+
+// throws Option_error unless that is told in one way.
+void check_target(const Command_line& options);
+
+// How it is chosen what is left.
+void add_simplification_options(Programs::Option_group& group, Command_line& options);
 
 // throws Option_error.
 Command_line parse_command_line(int argc, const char* const* argv);

@@ -18,18 +18,17 @@
 #include "running/Thread_limit.h"
 #include "running/tell.h"
 #include "simplify_animation/Level_report.h"
+#include "simplify_animation/Measurement.h"
 #include "simplify_animation/read_model.h"
 #include "simplify_animation/simplify.h"
+#include "simplify_animation/wanted_levels.h"
 #include "simplify_animation/write_levels.h"
 
-#include <CGAL/Animated_mesh_features/Applications/Simplification_limits.h>
-#include <CGAL/Animated_mesh_features/Evaluation/feature_regions.h>
 #include <CGAL/Animated_mesh_features/IO/Output_file.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/Numerics/memory/Field_memory.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <optional>
 
@@ -51,66 +50,6 @@ Features read_features(const std::string& path, const Programs::Animation& anima
                            std::to_string(file.frames()) + " frames, the animation has " + std::to_string(n) + " in " +
                            std::to_string(frames));
   return file.features();
-}
-
-// What is measured of each level.
-class Measurement
-{
-public:
-  Measurement(const Programs::Sequence& sequence, const Features& features)
-    : m_sequence(&sequence)
-  {
-    if (features.empty()) return;
-    m_regions = AMF::feature_regions(sequence.rest_shape(), sequence.number_of_frames(), sequence.frame_duration(),
-                                     features, AMF::Region_course::PRESENT);
-    m_options.regions = &m_regions;
-  }
-  Measurement(const Measurement&) = delete;
-  Measurement& operator=(const Measurement&) = delete;
-
-  bool has_regions() const { return m_options.regions != nullptr; }
-
-  Level_errors operator()(const AMF::Animation_level& level) const
-  {
-    Programs::Interruption::check();
-    const auto coarse = [&](std::size_t f) { return level.binding.positions(m_sequence->trajectories().frame(f)); };
-    AMF::Simplification_error_options options = m_options;
-    options.vertex_of = &level.vertex_of;
-    return {level.binding.size(), level.triangles.size(),
-            AMF::simplification_errors(m_sequence->rest_shape(), m_sequence->trajectories(), level.triangles,
-                                       level.binding.positions(m_sequence->rest_shape().points()), coarse, options)};
-  }
-
-private:
-  const Programs::Sequence* m_sequence;
-  AMF::Spatio_temporal_field<float> m_regions;
-  AMF::Simplification_error_options m_options;
-};
-
-// The numbers of vertices that are asked for; for an error, those among which is chosen.
-std::vector<std::size_t> targets(const Command_line& o, const AMF::Rest_shape& rest)
-{
-  if (!o.vertices.empty()) return o.vertices;
-  std::vector<std::size_t> counts;
-  const AMF::Simplification_limits limits(rest);
-  for (double ratio : o.ratios) counts.push_back(std::size_t(std::llround(ratio * double(limits.used))));
-  if (o.error)
-    for (std::size_t n = limits.used; n > limits.least; n = (std::min)(n - 1, std::size_t(.9 * double(n))))
-      counts.push_back(n);
-  if (counts.empty()) counts.push_back(limits.used);
-  return counts;
-}
-
-// The coarsest level whose error is small enough, by halving: errors grow as vertices become fewer.
-void keep_coarsest_within(double error, double diagonal, const Measurement& measure, AMF::Simplified_animation& result)
-{
-  std::size_t low = 0, high = result.levels.size(); // low: all vertices, no error
-  while (low + 1 < high) {
-    const std::size_t middle = (low + high) / 2;
-    const double worst = 100 / diagonal * AMF::worst_frame(measure(result.levels[middle]).frames).mean();
-    (worst <= error ? low : high) = middle;
-  }
-  result.levels = {result.levels[low]};
 }
 
 void tell_reading(const Command_line& o, const Programs::Animation& animation)
@@ -200,7 +139,7 @@ void run(const Command_line& o)
   const Features features = read_features(o.features, animation);
 
   AMF::Simplification_options method = o.method;
-  method.vertices = targets(o, sequence.rest_shape());
+  method.vertices = wanted_levels(o, sequence.rest_shape());
   AMF::Simplified_animation result;
   {
     Programs::Progress_bar bar(!o.running.quiet);
@@ -210,12 +149,8 @@ void run(const Command_line& o)
     });
   }
   tell_what_is_left(o, method.vertices, result);
-  Level_report report;
+  Level_report report = empty_report(sequence, result);
   report.title = o.reading.inputs.front();
-  report.diagonal = sequence.rest_shape().bounding_box_diagonal();
-  report.vertices = sequence.number_of_vertices();
-  report.triangles = sequence.rest_shape().triangles().size();
-  report.poses = result.poses;
   if (o.measures()) {
     const Measurement measure(sequence, features);
     report.has_regions = measure.has_regions();

@@ -15,6 +15,9 @@
 #include <CGAL/Animated_mesh_features/Descriptors/Surface_landmarks.h>
 #include <CGAL/Animated_mesh_features/Descriptors/describe_features.h>
 #include <CGAL/Animated_mesh_features/Detection/Feature_point.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
+
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <utility>
@@ -46,20 +49,22 @@ makes the signature of an animation. The cost is that of `describe_features()`, 
 
 \tparam FT `float` or `double`, the scalar of the field.
 \tparam Descriptor a model of `FeatureDescriptor`.
+\tparam Loop a model of `TaskLoop`.
 \param shape the surface at rest.
 \param field the deformation, in which the features were found, `N x F`.
 \param frame_duration the time between two frames (s).
 \param features what was found.
 \param options times of the activity.
 \param descriptor how features are described.
+\param loop runs the tasks, one for each feature: first those that describe it, then those that measure how far it is from
+  the others.
 \throw Input_error if a feature does not belong to the shape, or the animation is too short or too long for the options;
   Option_error if the field does not belong to the shape, or an option is out of its range.
 */
-template <class FT, class Descriptor = Rotation_free_gradient_histogram>
+template <class FT, class Descriptor, class Loop>
 Animation_signature animation_signature(const Rest_shape& shape, const Spatio_temporal_field<FT>& field,
                                         double frame_duration, const std::vector<Feature_point>& features,
-                                        const Activity_options& options = Activity_options(),
-                                        const Descriptor& descriptor = Descriptor())
+                                        const Activity_options& options, const Descriptor& descriptor, const Loop& loop)
 {
   Animation_signature result;
   result.vertices = shape.number_of_vertices();
@@ -68,11 +73,27 @@ Animation_signature animation_signature(const Rest_shape& shape, const Spatio_te
   result.diagonal = shape.bounding_box_diagonal();
   const Surface_landmarks landmarks(shape);
   result.events = described_features(shape, landmarks, features,
-                                     describe_features(shape, field, frame_duration, features, descriptor));
+                                     describe_features(shape, field, frame_duration, features, descriptor, loop), loop);
   std::vector<double> eccentricities;
   for (std::size_t v = 0; v < result.vertices; ++v) eccentricities.push_back(landmarks.eccentricity(v));
   result.activity = animation_activity(field, landmarks.areas(), eccentricities, frame_duration, options);
   return result;
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesApplications
+
+the same on all threads, without progress, by default with `Rotation_free_gradient_histogram`.
+*/
+template <class FT, class Descriptor = Rotation_free_gradient_histogram>
+Animation_signature animation_signature(const Rest_shape& shape, const Spatio_temporal_field<FT>& field,
+                                        double frame_duration, const std::vector<Feature_point>& features,
+                                        const Activity_options& options = Activity_options(),
+                                        const Descriptor& descriptor = Descriptor())
+{
+  return animation_signature(
+      shape, field, frame_duration, features, options, descriptor,
+      [](std::size_t n, const auto& task) { parallel_for<CGAL::Parallel_if_available_tag>(0, n, task); });
 }
 
 /*!

@@ -13,11 +13,16 @@
 #include <CGAL/Animated_mesh_features/Descriptors/describe_features.h>
 #include <CGAL/Animated_mesh_features/Detection/Feature_point.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Thread_local.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
+
+#include <CGAL/tags.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -45,17 +50,20 @@ struct Described_features
 
 puts together what is known of features of a mesh. Distances are those along edges, straight where there is no path.
 
-`O(M N log N)` time, `O(M^2)` memory.
+`O(M N log N)` time, `O(M^2)` memory and `O(N)` for each thread.
 
+\tparam Loop a model of `TaskLoop`.
 \param shape the surface at rest.
 \param landmarks on it.
 \param features on it.
 \param descriptors of the features, in the same order, or none.
+\param loop runs the tasks, one for each feature.
 \throw Input_error if a feature is at no vertex of the shape.
 */
-inline Described_features described_features(const Rest_shape& shape, const Surface_landmarks& landmarks,
-                                             std::vector<Feature_point> features,
-                                             Feature_descriptors descriptors = Feature_descriptors())
+template <class Loop>
+Described_features described_features(const Rest_shape& shape, const Surface_landmarks& landmarks,
+                                      std::vector<Feature_point> features, Feature_descriptors descriptors,
+                                      const Loop& loop)
 {
   for (const Feature_point& f : features)
     if (f.vertex_index >= shape.number_of_vertices())
@@ -66,8 +74,10 @@ inline Described_features described_features(const Rest_shape& shape, const Surf
   const std::size_t m = features.size();
   result.places = Feature_descriptors(m, Surface_landmarks::profile_length);
   result.distances.resize(m * m);
-  internal::Bounded_dijkstra paths(shape);
-  for (std::size_t i = 0; i < m; ++i) {
+  internal::Thread_local<internal::Bounded_dijkstra> workspaces;
+  loop(m, [&](std::size_t i) {
+    internal::Bounded_dijkstra& paths =
+        workspaces.get([&] { return std::make_unique<internal::Bounded_dijkstra>(shape); });
     landmarks.profile(features[i].vertex_index, result.places[i]);
     const Rest_shape::Index from = Rest_shape::Index(features[i].vertex_index);
     paths.run(std::array<Rest_shape::Index, 1>{{from}}, (std::numeric_limits<double>::max)());
@@ -77,10 +87,24 @@ inline Described_features described_features(const Rest_shape& shape, const Surf
       result.distances[i * m + j] =
           float((std::isfinite(along) ? along : (shape.points()[from] - shape.points()[to]).norm()) / result.unit);
     }
-  }
+  });
   result.features = std::move(features);
   result.descriptors = std::move(descriptors);
   return result;
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesDescriptors
+
+the same on all threads, without progress.
+*/
+inline Described_features described_features(const Rest_shape& shape, const Surface_landmarks& landmarks,
+                                             std::vector<Feature_point> features,
+                                             Feature_descriptors descriptors = Feature_descriptors())
+{
+  return described_features(
+      shape, landmarks, std::move(features), std::move(descriptors),
+      [](std::size_t n, const auto& task) { parallel_for<CGAL::Parallel_if_available_tag>(0, n, task); });
 }
 
 /*!
