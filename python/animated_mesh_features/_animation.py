@@ -172,7 +172,8 @@ class Animation(Shape):
         self._take(_core.animation_of_arrays(
             _frames(frames), _faces(faces), points,
             arguments(fps=fps, rest=rest, rescale_rest=rescale_rest, triangulate=triangulate, weld=weld, repair=repair,
-                      skip_bad_frames=skip_bad_frames, denoise=denoise, memory=memory, scratch=scratch, threads=threads),
+                      skip_bad_frames=skip_bad_frames, denoise=denoise, memory=memory, scratch=scratch,
+                      threads=threads),
             visitor))
 
     def _take(self, data):
@@ -273,7 +274,8 @@ class Animation(Shape):
 @documented
 def read_animation(*inputs, fps=None, clip=None, frames=None, there_and_back=False, allow_outside=False, faces=None,
                    rest=None, rescale_rest=False, as_given=False, triangulate=False, weld="auto", repair=False,
-                   skip_bad_frames=False, denoise=None, memory=None, scratch=None, threads=None, visitor=None) -> Animation:
+                   skip_bad_frames=False, denoise=None, memory=None, scratch=None, threads=None,
+                   visitor=None) -> Animation:
     """Reads an animation from files, as the program ``detect_features`` does.
 
     Parameters

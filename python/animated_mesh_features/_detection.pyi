@@ -47,7 +47,8 @@ def detect(frames: Frames, faces: Optional[ArrayLike] = ..., *, frame_duration: 
            rescale_rest: bool = ..., triangulate: bool = ..., weld: Literal["auto", "always", "never"] = ...,
            repair: bool = ..., skip_bad_frames: bool = ...,
            denoise: Optional[Literal["auto", "always", "never"]] = ...,
-           preset: Literal["calibrated", "published"] = ..., strain: Optional[Strain] = ..., curvature: Optional[Literal["density", "dihedral"]] = ...,
+           preset: Literal["calibrated", "published"] = ..., strain: Optional[Strain] = ...,
+           curvature: Optional[Literal["density", "dihedral"]] = ...,
            balls: Optional[Balls] = ..., ball_radius: Optional[Length] = ..., alpha: Optional[float] = ...,
            baseline: Optional[Literal["least", "none"]] = ...,
            spatial_filter: Optional[Literal["heat", "one-ring"]] = ...,
@@ -80,7 +81,8 @@ def strain(frames: Frames, faces: Optional[ArrayLike] = ..., *, frame_duration: 
            rescale_rest: bool = ..., triangulate: bool = ..., weld: Literal["auto", "always", "never"] = ...,
            repair: bool = ..., skip_bad_frames: bool = ...,
            denoise: Optional[Literal["auto", "always", "never"]] = ...,
-           preset: Literal["calibrated", "published"] = ..., strain: Optional[Strain] = ..., memory: Union[None, int, str] = ..., scratch: Optional[PathLike] = ...,
+           preset: Literal["calibrated", "published"] = ..., strain: Optional[Strain] = ..., memory: Union[None, int,
+           str] = ..., scratch: Optional[PathLike] = ...,
            threads: Optional[int] = ..., visitor: Visitor = ...) -> np.ndarray: ...
 
 def curvature(frames: Frames, faces: Optional[ArrayLike] = ..., *, frame_duration: Optional[float] = ...,
@@ -88,7 +90,8 @@ def curvature(frames: Frames, faces: Optional[ArrayLike] = ..., *, frame_duratio
               rescale_rest: bool = ..., triangulate: bool = ..., weld: Literal["auto", "always", "never"] = ...,
               repair: bool = ..., skip_bad_frames: bool = ...,
               denoise: Optional[Literal["auto", "always", "never"]] = ...,
-              preset: Literal["calibrated", "published"] = ..., curvature: Optional[Literal["density", "dihedral"]] = ..., balls: Optional[Balls] = ...,
+              preset: Literal["calibrated", "published"] = ..., curvature: Optional[Literal["density",
+              "dihedral"]] = ..., balls: Optional[Balls] = ...,
               ball_radius: Optional[Length] = ..., memory: Union[None, int, str] = ...,
               scratch: Optional[PathLike] = ..., threads: Optional[int] = ..., visitor: Visitor = ...
               ) -> np.ndarray: ...
@@ -98,7 +101,8 @@ def deformation(frames: Frames, faces: Optional[ArrayLike] = ..., *, frame_durat
                 rescale_rest: bool = ..., triangulate: bool = ..., weld: Literal["auto", "always", "never"] = ...,
                 repair: bool = ..., skip_bad_frames: bool = ...,
                 denoise: Optional[Literal["auto", "always", "never"]] = ...,
-                preset: Literal["calibrated", "published"] = ..., strain: Optional[Strain] = ..., curvature: Optional[Literal["density", "dihedral"]] = ...,
+                preset: Literal["calibrated", "published"] = ..., strain: Optional[Strain] = ...,
+                curvature: Optional[Literal["density", "dihedral"]] = ...,
                 balls: Optional[Balls] = ..., ball_radius: Optional[Length] = ..., alpha: Optional[float] = ...,
                 baseline: Optional[Literal["least", "none"]] = ..., memory: Union[None, int, str] = ...,
                 scratch: Optional[PathLike] = ..., threads: Optional[int] = ..., visitor: Visitor = ...
