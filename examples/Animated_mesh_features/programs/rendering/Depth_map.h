@@ -52,7 +52,8 @@ private:
     return m_axes * (p - m_centre).cast<float>() + Eigen::Vector3f(middle, middle, 0);
   }
 
-  void draw(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c);
+  // `side` is 1 or -1 if only a triangle that shows this side counts, else 0.
+  void draw(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c, int side);
 
   long m_size;
   Eigen::Vector3d m_centre;
