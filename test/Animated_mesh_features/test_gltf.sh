@@ -126,7 +126,7 @@ expect 3 "nothing.gltf: holds no animation" nothing.gltf --clip all
 expect 2 "each clip has files of its own; name a folder, x.json/, or write {clip}" sheets.gltf --clip all -o x.json
 expect 2 "cannot all go to the standard output" sheets.gltf --clip all -o -
 expect 2 "a folder goes with --clip all" sheets.gltf -o few/
-expect 2 "there is no part" sheets.gltf --clip all --part middle -o few/
+expect 3 "there is no part" sheets.gltf --clip all --part middle -o few/
 [[ -z "$(ls few)" ]] || fail "files of clips that were left out: $(ls few)"
 
 # Other formats: that the program knows them, or says what it lacks.

@@ -187,7 +187,8 @@ void Canvas::line(double from_x, double from_y, double to_x, double to_y, const 
 
 void Canvas::polyline(const std::vector<std::pair<double, double>>& points, const Pen& pen)
 {
-  for (const auto& p : points) cairo_line_to(m_drawing->context, p.first, p.second); // the first one begins a path
+  cairo_new_path(m_drawing->context); // texts leave a point behind
+  for (const auto& p : points) cairo_line_to(m_drawing->context, p.first, p.second);
   cairo_set_line_join(m_drawing->context, CAIRO_LINE_JOIN_ROUND);
   m_drawing->stroke(pen);
 }

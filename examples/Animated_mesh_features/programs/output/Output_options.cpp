@@ -35,8 +35,9 @@ std::optional<Requested_file<Kind>> prefixed_file(const std::string& text)
 
 Requested_file<Format> requested_features(const std::string& text)
 {
-  if (text == "-" || (!text.empty() && text.back() == '/')) return {Format::JSON, text};
+  if (text == "-") return {Format::JSON, text};
   if (const auto forced = prefixed_file<Format>(text)) return *forced;
+  if (!text.empty() && text.back() == '/') return {Format::JSON, text}; // of all clips
   std::string ending = std::filesystem::path(text).extension().string();
   for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
   for (const auto& n : names(Format()))

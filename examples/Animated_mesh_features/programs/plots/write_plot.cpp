@@ -25,7 +25,7 @@ namespace Programs {
 
 namespace {
 
-// The drawing, from top to bottom: title, features over time with the key at the right, histograms.
+// The drawing, from top to bottom: title, features over time with the key at the right, curves if there is a field, histograms.
 class Feature_plot
 {
   static constexpr double width = 960;

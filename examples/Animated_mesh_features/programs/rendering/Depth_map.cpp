@@ -24,6 +24,7 @@ Depth_map::Depth_map(const Surface& surface, const Eigen::Vector3d& centre, doub
   : m_size(long(size))
   , m_centre(centre)
   , m_scale(double(size) / (2 * radius))
+  , m_away(1.5 / m_scale)
   , m_height(size * size, -beyond)
 {
   const Eigen::Vector3d u = to_light.unitOrthogonal(), v = to_light.cross(u);
