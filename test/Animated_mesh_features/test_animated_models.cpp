@@ -303,6 +303,33 @@ void test_sampled_clip()
   CHECK_THROWS(Option_error, IO::sample_clip<double>(two, sampling, "file"),
                "file: the clips \"move\" and \"grow\" do not go together, both move node");
   sampling.clip.clear();
+  // A part by the name of its node, of one above it, of its mesh, or by the number of its component.
+  Model lid = square();
+  lid.nodes[0].name = "box";
+  lid.nodes.push_back(lid.nodes[0]);
+  lid.nodes[1].name = "lid";
+  lid.nodes[1].parent = 0;
+  lid.nodes[1].translation = {{0, 0, 5}};
+  lid.parts.push_back({0, 1, Model::none, {}, "lid, mesh 0", "board", 3});
+  lid.parts[0].mesh = "board";
+  for (const char* name : {"lid", "board/3", "box/3", "2"}) {
+    sampling.part = name;
+    const auto part = IO::sample_clip<double>(lid, sampling, "file");
+    CHECK((part.part_names == std::vector<std::string>{"box", "board", "lid"}));
+    CHECK(part.mesh.triangles == data.mesh.triangles && part.x.number_of_rows() == 4 && part.z(3, 50) == 5);
+    CHECK((part.origins.of(1) == std::vector<std::size_t>{7, 9}) && part.origins.parts.size() == 2);
+    CHECK((part.bind_points[3] == P{{1, 1, 5}}) && (part.mesh.points[3] == P{{1, 1, 5}}));
+  }
+  for (const char* name : {"", "box", "board"}) {
+    sampling.part = name;
+    CHECK(IO::sample_clip<double>(lid, sampling, "file").mesh.points.size() == 8);
+  }
+  for (const char* name : {"3", "0", "board/1", "lid/"}) {
+    sampling.part = name;
+    CHECK_THROWS(Option_error, IO::sample_clip<double>(lid, sampling, "file"),
+                 "parts are \"box\", \"board\", \"lid\"; components 1 (4 vertices), 2 (4)");
+  }
+  sampling.part.clear();
   std::ostringstream map;
   IO::write_vertex_map(map, data.origins, 4);
   CHECK(map.str() == "file_vertex,part,part_vertex,vertex\n0,0,0,0\n1,0,1,1\n3,0,3,1\n2,0,2,2\n5,0,5,2\n4,0,4,3\n");

@@ -195,6 +195,26 @@ elif command == "seam":  # base, output: cut open between the first triangle and
         for xyz in frames:
             more = [x for c in corners for x in xyz[3 * (c - 1):3 * c]]
             file.write(struct.pack("<%df" % (3 * n + 9), *xyz, *more))
+elif command == "pair":  # base, output: the body after a copy of it, 8 units away; one triangle of it is an arm
+    n, f, frames = read_pc2(arguments[0])
+    lines = open(arguments[0] + ".obj").readlines()
+    vertices = [line.split() for line in lines if line.startswith("v ")]
+    corners = [[int(c) for c in line.split()[1:]] for line in lines if line.startswith("f ")]
+    with open(arguments[1] + ".obj", "w") as file:
+        for v in vertices:
+            file.write("v %.9g %s %s\n" % (float(v[1]) + 8, v[2], v[3]))
+        file.writelines(" ".join(v) + "\n" for v in vertices)
+        for i, names in ((0, "o copy\n"), (n, "o the  body\ng arm\n")):
+            file.write(names)
+            for j, t in enumerate(corners):
+                file.write("g legs\n" * (i > 0 and j == 1) + "f %d %d %d\n" % tuple(c + i for c in t))
+    with open(arguments[1] + ".pc2", "wb") as file:
+        header = bytearray(open(arguments[0] + ".pc2", "rb").read(32))
+        struct.pack_into("<i", header, 16, 2 * n)
+        file.write(header)
+        for xyz in frames:
+            moved = [x + 8 * (i % 3 == 0) for i, x in enumerate(xyz)]
+            file.write(struct.pack("<%df" % (6 * n), *moved, *xyz))
 elif command == "cut":  # base, number of frames, output: a PC2 of the first frames
     data = bytearray(open(arguments[0] + ".pc2", "rb").read())
     n = struct.unpack("<i", data[16:20])[0]
@@ -717,6 +737,24 @@ expect 0 "" c.obj c.pc2 --fps 10 --rest c.obj -o z.json
 check 'where(y) == where(z) and len(where(z)) > 0'
 expect 0 "" seam.obj seam.pc2 --fps 10 --weld never -o y.json
 check 'y["animation"]["vertices"] > base["animation"]["vertices"]'
+
+# Of two bodies in a file, one is taken by its name, or by its number; it is what it is alone, and what is reported are
+# vertices of the file, too.
+python3 tool.py pair c pair
+expect 0 "" pair.obj pair.pc2 --fps 10 --part "the body" -o x.json --vertex-map map.csv
+check 'where(x) == where(base) and len(where(x)) > 0 and p(x)["part"] == "the body"'
+check '[f["strength"] for f in x["features"]] == [f["strength"] for f in base["features"]]'
+n='base["animation"]["vertices"]'
+check "x['animation']['vertices'] == $n and all(f['file_vertices'] == [f['vertex'] + $n] for f in x['features'])"
+check "open('map.csv').read().split()[1] == '%d,0,%d,0' % ($n, $n)"
+expect 0 "" pair.obj pair.pc2 --fps 10 --part 2 --rest pair.obj -o y.json
+check 'y["features"] == x["features"]'
+expect 0 "" pair.obj pair.pc2 --fps 10 --part legs -o y.json
+check 'y["animation"]["faces"] == x["animation"]["faces"] - 1'
+expect 0 "parts: \"copy\", \"the body\", \"arm\", \"legs\"; components 1 (" pair.obj pair.pc2 --fps 10 --verbose -o y.json
+rm x.json
+usage "there is no part \"3\"; parts are \"copy\", \"the body\", \"arm\", \"legs\"; components 1 (" pair.obj pair.pc2 --part 3 -o y2.json
+usage "there is no part \"2\"; parts are one component, 1 (" c.obj c.pc2 --part 2 -o y2.json
 
 # MDD files tell the time.
 python3 tool.py mdd c "0.5 + 0.1 * i" timed.mdd

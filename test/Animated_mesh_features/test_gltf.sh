@@ -52,6 +52,83 @@ mv linked.gltf model
 expect 3 "is not in the model's folder" model/linked.gltf
 expect 2 "there is no clip" model/linked.gltf --allow-outside --clip none
 
+# All clips of a model, each by itself: two sheets with a bump that rises and falls, once, twice, or not at all.
+python3 - <<'PYTHON'
+import base64, json, math, struct
+n, keys = 14, 25
+grid = [(x / n, y / n) for y in range(n + 1) for x in range(n + 1)]
+points = [c for x, y in grid for c in (x, y, 0)]
+bump = [c for x, y in grid for c in (0, 0, 0.3 * math.exp(-((x - 0.5) ** 2 + (y - 0.4) ** 2) / 0.02))]
+corners = [y * (n + 1) + x + d for y in range(n) for x in range(n) for d in (0, 1, n + 1, 1, n + 2, n + 1)]
+data, views, accessors = b"", [], []
+
+
+def add(values, code, kind, components):
+    global data
+    part = struct.pack("<%d%s" % (len(values), code), *values)
+    views.append(dict(buffer=0, byteOffset=len(data), byteLength=len(part)))
+    accessors.append(dict(bufferView=len(views) - 1, componentType=5126 if code == "f" else 5125, type=kind,
+                          count=len(values) // components))
+    data += part
+    return len(views) - 1
+
+
+mesh = dict(name="sheet", primitives=[dict(attributes=dict(POSITION=add(points, "f", "VEC3", 3)),
+                                           indices=add(corners, "I", "SCALAR", 1),
+                                           targets=[dict(POSITION=add(bump, "f", "VEC3", 3))])])
+times = add([i / (keys - 1) for i in range(keys)], "f", "SCALAR", 1)
+
+
+def animation(name, weight):
+    weights = add([weight(i / (keys - 1)) for i in range(keys)], "f", "SCALAR", 1)
+    return dict(name=name, samplers=[dict(input=times, output=weights)],
+                channels=[dict(sampler=0, target=dict(node=node, path="weights")) for node in (1, 2)])
+
+
+clips = [animation("Rise", lambda t: math.exp(-((t - 0.5) / 0.15) ** 2)),
+         animation("rise", lambda t: math.exp(-((t - 0.3) / 0.1) ** 2) + math.exp(-((t - 0.7) / 0.1) ** 2)),
+         animation("up/down", lambda t: math.exp(-((t - 0.4) / 0.12) ** 2)), animation("Still", lambda t: 0.)]
+clips.append(dict(name="Empty", samplers=[], channels=[]))
+json.dump(dict(asset=dict(version="2.0"), scene=0, scenes=[dict(nodes=[0])], meshes=[mesh], accessors=accessors,
+               nodes=[dict(name="all", children=[1, 2]), dict(name="left", mesh=0, weights=[0]),
+                      dict(name="right", mesh=0, weights=[0], translation=[2, 0, 0])],
+               animations=clips, bufferViews=views,
+               buffers=[dict(byteLength=len(data), uri="data:application/octet-stream;base64," +
+                             base64.b64encode(data).decode())]), open("sheets.gltf", "w"))
+PYTHON
+expect 3 "1 of 5 clips left out: Empty" sheets.gltf --clip all -o results/ -o csv:results/ --vtk 'scenes/{clip}' --part right
+grep -q "detect_features: Empty is left out: sheets.gltf: clip \"Empty\" has no duration" err || fail "Empty: $(cat err)"
+grep -q "^5 clips, .*; written to results/, results/, scenes/{clip}$" err || fail "no last line: $(cat err)"
+got="$(LC_ALL=C ls results | tr '\n' ' ')"
+[[ "$got" == "Rise.csv Rise.json Still.csv Still.json rise_1.csv rise_1.json up_down.csv up_down.json " ]] || fail "files: $got"
+[[ -f scenes/up_down/surface.pvd && ! -e scenes/Empty ]] || fail "folders: $(ls scenes)"
+cp out table
+for clip in Rise rise up/down; do
+  name="${clip/\//_}"
+  [[ "$clip" != rise ]] || name=rise_1
+  expect 0 "" sheets.gltf --clip "$clip" --part right -o one.json
+  cmp -s one.json "results/$name.json" || fail "$clip among all is another than alone"
+  # a line of the table, by the same numbers
+  python3 - "$clip" <<'PYTHON' || fail "the table: $(cat table)"
+import json, sys
+line = next(l for l in open("table") if l.startswith(sys.argv[1] + " ")).split()
+x = json.load(open("one.json"))
+best = x["features"][0]
+assert all(f["file_vertices"] == [f["vertex"] + 225] for f in x["features"]) and x["animation"]["vertices"] == 225
+assert (int(line[1]), int(line[3]), int(line[5])) == (x["animation"]["frames"], len(x["features"]), best["vertex"])
+assert abs(float(line[4]) - best["time"]) < 1e-3 and abs(float(line[8]) - best["strength"]) < 1e-2 * best["strength"]
+PYTHON
+done
+grep -q "^Still .* 0  nothing deforms" table && grep -q "^Empty .*left out: " table || fail "the table: $(cat table)"
+mkdir few
+sed 's/"animations"/"others"/' sheets.gltf >nothing.gltf
+expect 3 "nothing.gltf: holds no animation" nothing.gltf --clip all
+expect 2 "each clip has files of its own; name a folder, x.json/, or write {clip}" sheets.gltf --clip all -o x.json
+expect 2 "cannot all go to the standard output" sheets.gltf --clip all -o -
+expect 2 "a folder goes with --clip all" sheets.gltf -o few/
+expect 3 "there is no part" sheets.gltf --clip all --part middle -o few/
+[[ -z "$(ls few)" ]] || fail "files of clips that were left out: $(ls few)"
+
 # Other formats: that the program knows them, or says what it lacks.
 fbx=/usr/share/assimp/models/FBX/animation_with_skeleton.fbx
 echo text >text.fbx

@@ -513,8 +513,8 @@ void test_fewer_vertices()
   // as the limits tell
   options = Programs::Html_options();
   const Programs::Html_sampling large = Programs::html_sampling(100000, 300), larger = Programs::html_sampling(1000000, 1000);
-  CHECK(large.vertices == 26666 && large.frame_step == 1);
-  CHECK(larger.vertices == 25000 && larger.frame_step == 4);
+  CHECK(large.vertices == 21666 && large.frame_step == 1);
+  CHECK(larger.vertices == 20000 && larger.frame_step == 4);
   CHECK(Programs::html_sampling(8000, 1000).vertices == 8000);
   options.frame_step = 1;
   CHECK(Programs::html_sampling(100000, 300, options).vertices == 100000);

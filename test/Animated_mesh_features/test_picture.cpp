@@ -20,6 +20,7 @@
 #include "rendering/Palette.h"
 #include "rendering/Panel_cameras.h"
 #include "rendering/Rasteriser.h"
+#include "rendering/outer_sides.h"
 #include "scenes/Shown_scene.h"
 #include "views/Scene_views.h"
 #include "views/View_choice.h"
@@ -37,6 +38,7 @@
   #include <tbb/global_control.h>
 #endif
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -349,6 +351,45 @@ void test_light()
   CHECK(light_at(50, 0) == 1);
   CHECK(ground.light(eye, Vector3d(0, 1, -1)) == 1);
   CHECK(ground.light(Vector3d(0, -3, 5), Vector3d(0, 1, -1)) == 1);
+}
+
+// Where the outside is known, the far side of a body throws no shadow that its near side does not throw.
+void test_outer_sides()
+{
+  const auto all = [](const Surface& s, int side) {
+    const std::vector<std::int8_t> sides = outer_sides(s.points, s.triangles);
+    return sides.size() == s.triangles.size() && std::count(sides.begin(), sides.end(), std::int8_t(side)) == std::ptrdiff_t(sides.size());
+  };
+  const std::uint32_t n = 24;
+  Surface sphere = sphere_surface(Vector3d(5, 1, 0), 2, n), reversed = sphere;
+  for (Surface::Triangle& t : reversed.triangles) std::swap(t[0], t[1]);
+  CHECK(all(sphere, 1) && all(reversed, -1));
+  Surface open = sphere;
+  open.triangles.pop_back();
+  CHECK(all(open, 1)); // a hole of an edge or two
+  open.triangles.resize(open.triangles.size() / 2);
+  CHECK(all(open, 0));
+  // of two parts, each by itself
+  Surface both = sphere;
+  const std::uint32_t first = std::uint32_t(both.points.size());
+  for (const Vector3d& p : open.points) both.points.push_back(p + Vector3d(0, 0, 5));
+  for (const Surface::Triangle& t : open.triangles) both.triangles.push_back({{t[0] + first, t[1] + first, t[2] + first}});
+  const std::vector<std::int8_t> sides = outer_sides(both.points, both.triangles);
+  CHECK(sides.front() == 1 && sides[sphere.triangles.size() - 1] == 1 && sides[sphere.triangles.size()] == 0);
+
+  for (Surface* s : {&sphere, &reversed}) {
+    const Depth_map whole(*s, Vector3d(5, 1, 0), 4, Vector3d(1, 2, 2) / 3, 200);
+    s->outer_sides = outer_sides(s->points, s->triangles);
+    const Depth_map near(*s, Vector3d(5, 1, 0), 4, Vector3d(1, 2, 2) / 3, 200);
+    std::size_t dark = 0;
+    for (double x = 1.5; x < 8.5; x += 0.1)
+      for (double z = -3.5; z < 3.5; z += 0.1) {
+        const float lit = near.visibility(Vector3d(x, -1.2, z), Vector3d::UnitY());
+        dark += lit == 0;
+        CHECK(lit == whole.visibility(Vector3d(x, -1.2, z), Vector3d::UnitY()));
+      }
+    CHECK(dark > 500);
+  }
 }
 
 void test_colours()
@@ -785,6 +826,7 @@ int main()
   test_sphere_outlines();
   test_translucency();
   test_light();
+  test_outer_sides();
   test_colours();
   test_palette();
   test_layout();

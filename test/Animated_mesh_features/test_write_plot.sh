@@ -28,12 +28,12 @@ fi
 plots() {
   local format
   for format in svg pdf png; do
-    "$program" "${input[@]}" "$@" -o features.json --plot "plot.$format" || exit 1
+    "$program" "${input[@]}" "$@" -o features.json --write-field deformation:d.npy --plot "plot.$format" || exit 1
   done
 }
 
 plots --threshold 0
-python3 "$tests/scene_files/check_plot.py" plot.svg plot.pdf features.json "$title" plot.png || exit 1
+python3 "$tests/scene_files/check_plot.py" plot.svg plot.pdf features.json "$title" d.npy plot.png || exit 1
 # the same files again; the standard output has no ending
 for format in svg pdf png; do cp "plot.$format" "first.$format"; done
 plots --threshold 0 --threads 1
@@ -45,7 +45,7 @@ for format in svg pdf png; do cmp "first.$format" "plot.$format" || fail "anothe
 for thresholds in "--relative-threshold 1" "--threshold 1e6"; do
   # shellcheck disable=SC2086
   plots $thresholds
-  python3 "$tests/scene_files/check_plot.py" plot.svg plot.pdf features.json "$title" || exit 1
+  python3 "$tests/scene_files/check_plot.py" plot.svg plot.pdf features.json "$title" d.npy || exit 1
 done
 
 # Endings that are none are noticed before anything is computed.

@@ -24,14 +24,28 @@ enter_empty_folder
   "$python" "$tests/scene_files/check_vtk.py" scene c features.json || exit 1
 
 # the script for ParaView, where that is
-pvpython="$(command -v pvpython)"
-if [[ -n "$pvpython" ]]; then
-  if ! timeout 120 "$pvpython" --force-offscreen-rendering scene/show_in_paraview.py picture.png 0.5 >pvpython.log 2>&1 &&
-     ! timeout 120 xvfb-run -a "$pvpython" scene/show_in_paraview.py picture.png 0.5 >pvpython.log 2>&1; then
-    cat pvpython.log
-    exit 1
-  fi
-  # an empty picture is a few thousand bytes
-  [[ -s picture.png && "$(stat -c %s picture.png)" -gt 10000 ]] || { echo "failed: ParaView's picture is empty"; exit 1; }
-  echo "ParaView opens the scene"
+if ! command -v pvpython >/dev/null; then
+  echo "SKIPPED: ParaView, since pvpython is not here (Debian: paraview, python3-paraview and xvfb)"
+  exit 0
 fi
+show() { timeout 120 "$@" scene/show_in_paraview.py picture.png 0.5 >pvpython.log 2>&1; }
+# Debian's ParaView needs a display, which may be slow to come.
+if ! { show xvfb-run -a pvpython || show xvfb-run -a pvpython || show pvpython --force-offscreen-rendering; } 2>/dev/null; then
+  cat pvpython.log
+  exit 1
+fi
+# body, spheres and two keys on white paper; of each colour there are some
+"$python" - <<'PYTHON' || { cat pvpython.log; exit 1; }
+import sys
+from vtkmodules.vtkIOImage import vtkPNGReader
+reader = vtkPNGReader()
+reader.SetFileName("picture.png")
+reader.Update()
+colours = reader.GetOutput().GetPointData().GetScalars()
+pixels = [colours.GetTuple3(i) for i in range(0, colours.GetNumberOfTuples(), 7)]
+white = sum(p == (255, 255, 255) for p in pixels) / len(pixels)
+red = sum(r > 1.5 * g + 20 and r > b for r, g, b in pixels) / len(pixels)
+body = sum(abs(r - g) < 40 and b < r - 5 and r > 60 for r, g, b in pixels) / len(pixels)
+print("ParaView opens the scene: %.3f of its picture is paper, %.3f body, %.3f red" % (white, body, red))
+sys.exit(not (0.3 < white < 0.97 and body > 0.01 and red > 0.001))
+PYTHON

@@ -9,6 +9,7 @@
 
 #include "detect_features/Command_line.h"
 #include "detect_features/run.h"
+#include "detect_features/run_all_clips.h"
 #include "detect_features/short_usage.h"
 #include "running/run_program.h"
 
@@ -33,6 +34,8 @@ int main(int argc, char* argv[])
       std::cout << manual_page() << std::flush;
     else if (command_line.completion)
       std::cout << completion(*command_line.completion) << std::flush;
+    else if (command_line.has_all_clips())
+      run_all_clips(command_line);
     else
       run(command_line);
   });

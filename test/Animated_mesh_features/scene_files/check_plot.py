@@ -4,7 +4,7 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""check_plot.py PLOT.svg PLOT.pdf FEATURES.json TITLE [PLOT.png]
+"""check_plot.py PLOT.svg PLOT.pdf FEATURES.json TITLE DEFORMATION.npy [PLOT.png]
 
 Reads the numbers off the plots that detect_features --plot has written, as a reader would: by the ticks of their axes. The
 formats show the same; texts are read from the PDF, where they are texts.
@@ -12,6 +12,7 @@ formats show the same; texts are read from the PDF, where they are texts.
 
 import json
 import math
+import struct
 import sys
 
 from plot_files import read_pdf, read_svg
@@ -23,7 +24,7 @@ pdf, pdf_width, pdf_height = read_pdf(sys.argv[2])
 result = json.load(open(sys.argv[3]))
 features = result["features"]
 duration = (result["animation"]["frames"] - 1) * result["animation"]["frame_duration"]
-check((width, height) == (960, 760), "the size of the SVG")
+check((width, height) == (960, 992 if features else 760), "the size of the SVG")
 check(near(pdf_width, width) and near(pdf_height, height), "the size of the PDF")
 
 WHITE, DIM, GRID = (1, 1, 1), (89 / 255, 99 / 255, 110 / 255), (209 / 255, 217 / 255, 224 / 255)
@@ -44,6 +45,9 @@ check(same(paper, (0, 0, width, height, WHITE)), "white paper")
 for kind in ("circles", "lines", "rectangles"):
     a, b = getattr(svg, kind), getattr(pdf, kind)
     check(len(a) == len(b) and all(same(x, y) for x, y in zip(a, b)), "the %s of SVG and PDF" % kind)
+for a, b in zip(svg.curves, pdf.curves):
+    check(same_colour(a.stroke, b.stroke) and len(a.points) == len(b.points) and
+          all(abs(p - q) < ROUNDING for x, y in zip(a.points, b.points) for p, q in zip(x, y)), "a curve of SVG and PDF")
 
 for c in svg.circles:
     check(0 <= c.x - c.r and c.x + c.r <= width and 0 <= c.y - c.r and c.y + c.r <= height, "%s is within" % (c,))
@@ -62,7 +66,7 @@ check(any(t.startswith("%d feature%s in" % (len(features), plural)) for t in tex
 
 axes = sorted((line for line in svg.lines if same_colour(line.stroke, DIM) and line.x1 - line.x0 > 100),
               key=lambda line: (line.y0, line.x0))
-check(len(axes) == (3 if features else 1), "%d horizontal axes" % len(axes))
+check(len(axes) == (4 if features else 1), "%d horizontal axes" % len(axes))
 
 
 def scale(places, texts, logarithm, what):
@@ -98,7 +102,7 @@ def scale_y(axis, top):
 
 time, second = scale_x(axes[0])
 strength, unit = scale_y(axes[0], 70)
-circles = [c for c in svg.circles if c.fill]
+circles = [c for c in svg.circles if c.fill and c.opacity < 1]
 bars = [line for line in svg.lines if abs(line.width - 2.5) < 0.01]
 check(len(circles) == len(bars) == len(features), "every feature is drawn")
 largest_first = sorted(range(len(features)), key=lambda i: -features[i]["sigma"])
@@ -119,6 +123,44 @@ if features and max(f["tau"] for f in features) > min(f["tau"] for f in features
     red, blue = circles[by_tau[0]].fill, circles[by_tau[-1]].fill
     check(red[0] > 3 * red[2] and blue[2] > 3 * blue[0], "red is short, blue is long")
 
+# The curves are the deformation at the strongest feature of each of the strongest places, in its colour.
+places = {}
+for i, f in enumerate(features):
+    places.setdefault(f["place"], i)
+strongest = sorted(places.values())[:6]
+check(len(svg.curves) == len(pdf.curves) == len(strongest), "%d curves" % len(svg.curves))
+drawn = dict(zip(largest_first, circles))
+if features:
+    second_of, pixel_of_time = scale_x(axes[1])
+    value_of, pixel_of_value = scale_y(axes[1], 500)
+    with open(sys.argv[5], "rb") as file:
+        data = file.read()
+    length = struct.unpack("<H", data[8:10])[0]
+    frames = result["animation"]["frames"]
+    for i, curve in zip(strongest, svg.curves):
+        v = features[i]["vertex"]
+        row = struct.unpack_from("<%df" % frames, data, 10 + length + 4 * frames * v)
+        check(same_colour(curve.stroke, drawn[i].stroke), "the colour of the curve of feature %d" % i)
+        # cairo leaves out points that are on the line between their neighbours
+        line = [(second_of(x), value_of(y)) for x, y in curve.points]
+        tolerance = 2 * ROUNDING * pixel_of_value + 1e-6 * max(row)
+        check(near(line[0][0], 0, ROUNDING * pixel_of_time) and near(line[-1][0], duration, ROUNDING * pixel_of_time),
+              "the ends of the curve of feature %d" % i)
+        for k in range(frames):
+            t = k * result["animation"]["frame_duration"]
+            j = min(max(1, sum(p[0] < t for p in line)), len(line) - 1)
+            (t0, y0), (t1, y1) = line[j - 1], line[j]
+            slope = abs((y1 - y0) / (t1 - t0))
+            check(near(y0 + (y1 - y0) * (t - t0) / (t1 - t0), row[k], tolerance + 2 * ROUNDING * pixel_of_time * slope),
+                  "the curve of feature %d in frame %d" % (i, k))
+        check(texts.count("%d, %d" % (i + 1, v)) == 1, "the key of its curve")
+    # its dots: the features of the same places, on the curve of the strongest
+    dots = [c for c in svg.circles if c.fill and c.opacity == 1]
+    at = [features[k]["time"] for i in strongest for k in range(len(features))
+          if features[k]["place"] == features[i]["place"]]
+    check(len(dots) == len(at) and all(near(second_of(c.x), min(duration, max(0, t)), ROUNDING * pixel_of_time)
+                                       for c, t in zip(sorted(dots, key=lambda c: c.x), sorted(at))), "the times of dots")
+
 samples = [c for c in svg.circles if not c.fill]
 check(len(samples) == (3 if features else 0), "%d circles in the key" % len(samples))
 for c in samples:
@@ -126,9 +168,9 @@ for c in samples:
     check(len(label) == 1, "a circle of the key has one label")
     check(c.r <= 2.01 or abs(float(label[0].text) / (c.r / largest * most) - 1) < 0.06, "the key says " + label[0].text)
 
-for axis, name in zip(axes[1:], ("sigma", "tau")):
+for axis, name in zip(axes[2:], ("sigma", "tau")):
     value, _ = scale_x(axis, True)
-    number, one = scale_y(axis, 500)
+    number, one = scale_y(axis, 740)
     columns = [r for r in svg.rectangles if axis.x0 <= r.x and r.x + r.width <= axis.x1 + 1]
     total = 0
     for r in columns:
@@ -142,8 +184,8 @@ for axis, name in zip(axes[1:], ("sigma", "tau")):
         check(abs(r.y + r.height - axis.y0) < ROUNDING, "columns stand on the axis")
     check(total == len(features), "every feature is in the histogram of " + name)
 
-if len(sys.argv) > 5:
-    pixels = read_png(sys.argv[5])
+if len(sys.argv) > 6:
+    pixels = read_png(sys.argv[6])
     check((len(pixels[0]), len(pixels)) == (2 * width, 2 * height), "the size of the PNG")
 
     def pixel(x, y):
@@ -152,10 +194,10 @@ if len(sys.argv) > 5:
     check(all(pixel(x, y) == WHITE for x in (0, width - 1) for y in (0, height - 1)), "the paper of the PNG")
     for r in svg.rectangles:
         check(same_colour(pixel(r.x + r.width / 2, r.y + r.height / 2), r.fill), "a column of the PNG")
-    for axis in axes:
+    for axis in axes[:1] + axes[2:]:  # curves lie on the other one
         x = next(axis.x0 + i for i in range(2, 100) if all(abs(axis.x0 + i - line.x0) > 2 for line in svg.lines))  # no tick
         check(same_colour(pixel(x, axis.y0), DIM) and pixel(x, axis.y0 + 3) == WHITE, "an axis of the PNG")
     # on its bar, of the same colour: two roundings
     check(same_colour(pixel(circles[-1].x, circles[-1].y), circles[-1].fill, 0.006), "the last circle of the PNG")
 
-print("SVG, PDF%s: %d features: %d checks, all as expected" % (", PNG" * (len(sys.argv) > 5), len(features), count()))
+print("SVG, PDF%s: %d features: %d checks, all as expected" % (", PNG" * (len(sys.argv) > 6), len(features), count()))

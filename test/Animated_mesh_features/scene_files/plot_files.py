@@ -19,6 +19,7 @@ from collections import namedtuple
 # colours are (r, g, b) from 0 to 1; fill and stroke are None if there is none
 Circle = namedtuple("Circle", "x y r fill opacity stroke")
 Line = namedtuple("Line", "x0 y0 x1 y1 stroke width")
+Curve = namedtuple("Curve", "points stroke width")
 Rectangle = namedtuple("Rectangle", "x y width height fill")
 # from `begin` to `end` on a base line: from left to right at the height `along`, or upwards, `along` from the left
 Text = namedtuple("Text", "text begin along end size is_upward")
@@ -26,10 +27,10 @@ Text = namedtuple("Text", "text begin along end size is_upward")
 
 class Drawing:
     def __init__(self):
-        self.circles, self.lines, self.rectangles, self.texts = [], [], [], []
+        self.circles, self.lines, self.curves, self.rectangles, self.texts = [], [], [], [], []
 
     def add_path(self, pieces, fill, opacity, stroke, width):
-        """A path of (operator, points...), as circle, line or rectangle; None if it is nothing of these."""
+        """A path of (operator, points...), as circle, line, curve or rectangle; None if it is nothing of these."""
         points = [p for piece in pieces for p in piece[1:]]
         kinds = "".join(piece[0] for piece in pieces)
         xs, ys = [p[0] for p in points], [p[1] for p in points]
@@ -42,6 +43,8 @@ class Drawing:
             self.circles.append(circle)
         elif re.fullmatch("ml", kinds):
             self.lines.append(Line(xs[0], ys[0], xs[1], ys[1], stroke, width))
+        elif re.fullmatch("ml{2,}", kinds) and stroke:
+            self.curves.append(Curve(points, stroke, width))
         elif re.fullmatch("mlll?h?", kinds) and fill is not None:
             self.rectangles.append(Rectangle(min(xs), min(ys), max(xs) - min(xs), max(ys) - min(ys), fill))
 

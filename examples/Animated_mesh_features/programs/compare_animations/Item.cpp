@@ -7,12 +7,11 @@
 #include "compare_animations/Item.h"
 
 #include "options/Option_groups.h"
-#include "reading/Animation.h"
+#include "reading/Model_file.h"
 
 #include <CGAL/Animated_mesh_features/IO/file_format.h>
 #include <CGAL/Animated_mesh_features/IO/natural_order.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
-#include <CGAL/Animated_mesh_features/Numerics/memory/Field_memory.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -158,23 +157,23 @@ void add_list(const std::string& path, std::vector<Item>& items)
   }
 }
 
-// All clips of a model; of a file without clips the file.
+// All clips of a model; what has no clips, as it is.
 void add_clips(const Item& model, std::vector<Item>& items)
 {
   Programs::Reading_options reading = model.reading;
   reading.clip.clear();
-  const Programs::Animation animation(reading, [](std::size_t, std::size_t) { return AMF::Field_memory::heap(); });
-  const std::vector<std::string>& clips = animation.clips();
+  if (Programs::model_format(reading.inputs) == Programs::Model_format::NONE) {
+    items.push_back(model);
+    items.back().reading.clip.clear();
+    return;
+  }
+  const std::vector<std::string> clips = Programs::clip_names(reading);
   for (std::size_t c = 0; c < clips.size(); ++c) {
     Item i = model;
     const bool is_unique = !clips[c].empty() && std::count(clips.begin(), clips.end(), clips[c]) == 1;
     i.reading.clip = is_unique ? clips[c] : std::to_string(c);
     i.name = stem(model.reading.inputs.front()) + "/" + i.reading.clip;
     items.push_back(i);
-  }
-  if (clips.empty()) {
-    items.push_back(model);
-    items.back().reading.clip.clear();
   }
 }
 

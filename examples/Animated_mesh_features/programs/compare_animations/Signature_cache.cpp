@@ -107,6 +107,7 @@ void add_options(const Item& item, const Settings& s, Hash& hash)
      << text_of(r.frames_per_second) << '\n'
      << r.as_given << r.triangulate << r.repair << int(r.weld) << r.skip_bad_frames << int(r.denoise) << r.there_and_back << '\n'
      << r.clip << '\n'
+     << r.part << '\n'
      << text_of(r.clip_frames) << ' ' << (r.frame_range ? r.frame_range->text : "") << '\n'
      << r.faces_dataset << '\n'
      << int(r.rest.kind) << ' ' << r.rest.frame << ' ' << r.rest.rescale << '\n'

@@ -9,6 +9,7 @@
 #include "options/Option_groups.h"
 #include "options/write_manual_page.h"
 #include "output/check_outputs.h"
+#include "output/clip_outputs.h"
 
 #include <sstream>
 
@@ -22,6 +23,7 @@ namespace {
 const char* const examples = R"(  detect_features walk.obj walk.pc2 --html view.html
   detect_features walk.obj walk.pc2 -o features.json -o features.csv
   detect_features hand.glb --clip Fist --there-and-back -o features.json
+  detect_features knight.glb --clip all -o results/ --html 'results/{clip}.html'
   detect_features frames/ --fps 25 --rest standing.obj --png features.png
   detect_features walk.obj walk.pc2 --sigma-range 1%:10% --tau-range :0.5 | python3 -m json.tool
   detect_features walk.obj walk.mdd --alpha 0 --write-field strain:strain.npy -o strain_features.csv
@@ -65,8 +67,13 @@ Command_line parse_command_line(int argc, const char* const* argv)
   check(c.reading);
   check(c.run);
   check(c.method);
-  complete(c.output);
-  Programs::check_outputs(c.output.paths(), c.reading.paths());
+  if (c.has_all_clips()) {
+    Programs::check_picture_options(c.output.picture);
+    Programs::check_clip_outputs(c.output);
+  } else {
+    complete(c.output);
+    Programs::check_outputs(c.output.paths(), c.reading.paths());
+  }
   c.output.is_curvature_used = c.method.alpha.value_or(1) != 0;
   return c;
 }

@@ -29,6 +29,9 @@ struct Command_line
   Method_options method;
   Programs::Output_options output;
   Programs::Run_options run;
+
+  // --clip all
+  bool has_all_clips() const { return reading.clip == "all"; }
 };
 
 // throws Option_error, with a message for the user.

@@ -10,6 +10,7 @@
 #include "detect_features/detect.h"
 #include "detect_features/detection_notices.h"
 #include "detect_features/feature_table.h"
+#include "detect_features/reason_for_none.h"
 #include "detect_features/report.h"
 #include "options/Names.h"
 #include "output/Html_file.h"
@@ -26,6 +27,7 @@
 #include "running/tell.h"
 #include "views/Scene_views.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
@@ -55,10 +57,36 @@ Shown_scene scene(const Reading_options& reading, const Animation& animation, co
   return s;
 }
 
+// Each line after the name of what it is about.
+std::string lines_after(const std::string& name, const std::string& lines)
+{
+  if (name.empty()) return lines;
+  std::string result;
+  for (std::size_t first = 0, end; first < lines.size(); first = end) {
+    end = (std::min)(lines.find('\n', first), lines.size() - 1) + 1;
+    result += name + lines.substr(first, end - first);
+  }
+  return result;
+}
+
+Outcome outcome_of(const Animation& animation, const Method_options& method, const Detection& detection)
+{
+  Outcome outcome;
+  outcome.frames = animation.sequence().number_of_frames();
+  outcome.duration = double(outcome.frames - 1) * animation.sequence().frame_duration();
+  outcome.features = detection.features.size();
+  if (!detection.features.empty())
+    outcome.strongest = detection.features.front();
+  else
+    outcome.reason = reason_for_none(animation.sequence(), method, detection);
+  return outcome;
+}
+
 } // namespace
 
-void run(const Command_line& c)
+Outcome run(const Command_line& c, const std::string& name, const std::string& progress)
 {
+  const auto say = [&](const std::string& lines) { tell(lines_after(name, lines)); };
   const Thread_limit thread_limit(c.run.threads);
   Stage_log log;
   log.begin("reading");
@@ -68,7 +96,7 @@ void run(const Command_line& c)
     page_notice = html_notice(c.output, vertices, frames);
     return plan.decide(vertices, frames, c.output.extra_fields());
   };
-  std::optional<Monitor> monitor(std::in_place, log, !c.run.quiet);
+  std::optional<Monitor> monitor(std::in_place, log, !c.run.quiet, progress);
   const Animation animation(c.reading, choose_memory, *monitor);
   monitor.reset(); // what is told now is not to stand beside a progress bar
   log.end();
@@ -77,22 +105,22 @@ void run(const Command_line& c)
   check_outputs(c.output.paths(), animation.files());
   // now rather than after hours of computation
   check_picture_frames(c.output.picture, sequence.number_of_frames());
-  if (c.run.verbose) tell(animation_report(c.reading, animation) + plan.report() + "\n");
-  if (!c.run.quiet) tell(page_notice + reading_notices(c.reading, animation));
+  if (c.run.verbose) say(animation_report(c.reading, animation) + plan.report() + "\n");
+  if (!c.run.quiet) say(page_notice + reading_notices(c.reading, animation));
   check_scales(sequence, c.method, c.reading.rest.file.empty() ? c.reading.inputs.front() : c.reading.rest.file);
-  if (!c.run.quiet) tell(counts_notice(sequence, c.method));
+  if (!c.run.quiet) say(counts_notice(sequence, c.method));
 
   const Interruption interruption; // before there is anything to be left on a disk
   Result_files files(c.output);
   Wanted_fields fields(c.output, files, log);
-  monitor.emplace(log, !c.run.quiet);
+  monitor.emplace(log, !c.run.quiet, progress);
   const Detection detection = detect(sequence, c.method, plan.level_memory(), fields, *monitor);
   monitor.reset();
   Interruption::check();
   Shown_scene shown = scene(c.reading, animation, detection, fields);
   std::optional<Scene_views> views;
   if (c.output.has_chosen_views()) {
-    monitor.emplace(log, !c.run.quiet);
+    monitor.emplace(log, !c.run.quiet, progress);
     views = scene_views(shown, c.output.picture.up_axis, *monitor);
     monitor.reset();
     shown.views = &*views;
@@ -105,12 +133,19 @@ void run(const Command_line& c)
     Interruption::check();
     files.commit();
   }
-  if (c.run.verbose) tell(detection_report(detection) + log.report());
-  if (c.output.is_table_shown) std::cout << feature_table(detection.features) << std::flush;
-  if (c.run.quiet) return;
+  if (c.run.verbose) say(detection_report(detection) + log.report());
+  if (c.output.is_table_shown) std::cout << feature_table(detection.features, animation.origins()) << std::flush;
+  const Outcome outcome = outcome_of(animation, c.method, detection);
+  if (c.run.quiet) return outcome;
   const double writing = log.seconds("writing");
-  tell(detection_notices(sequence, c.method, detection) +
-       summary(c.output, animation, c.method, detection, {log.total_seconds() - writing, writing}));
+  say(detection_notices(sequence, c.method, detection));
+  if (name.empty()) say(summary(c.output, animation, c.method, detection, {log.total_seconds() - writing, writing}));
+  return outcome;
+}
+
+void run(const Command_line& c)
+{
+  run(c, "", "");
 }
 
 } // namespace Detect_features

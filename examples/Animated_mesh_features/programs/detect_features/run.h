@@ -8,12 +8,18 @@
 #define DETECT_FEATURES_RUN_H
 
 #include "detect_features/Command_line.h"
+#include "detect_features/clip_table.h"
+
+#include <string>
 
 namespace Detect_features {
 
 // Reads the animation, finds its features and writes all files. Messages go to the standard error output.
 // throws Error.
 void run(const Command_line& command_line);
+
+// The same with `name` before each line that is told, and `progress` before the progress; with a name, there is no summary.
+Outcome run(const Command_line& command_line, const std::string& name, const std::string& progress);
 
 } // namespace Detect_features
 

@@ -185,6 +185,14 @@ void Canvas::line(double from_x, double from_y, double to_x, double to_y, const 
   m_drawing->stroke(pen);
 }
 
+void Canvas::polyline(const std::vector<std::pair<double, double>>& points, const Pen& pen)
+{
+  cairo_new_path(m_drawing->context); // texts leave a point behind
+  for (const auto& p : points) cairo_line_to(m_drawing->context, p.first, p.second);
+  cairo_set_line_join(m_drawing->context, CAIRO_LINE_JOIN_ROUND);
+  m_drawing->stroke(pen);
+}
+
 void Canvas::rectangle(double x, double y, double width, double height, const Srgb8& colour)
 {
   cairo_rectangle(m_drawing->context, x, y, width, height);

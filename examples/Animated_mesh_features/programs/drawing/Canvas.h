@@ -15,6 +15,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace Programs {
 
@@ -62,6 +64,7 @@ public:
   double text_width(const std::string& text, const Text_style& style) const;
 
   void line(double from_x, double from_y, double to_x, double to_y, const Pen& pen);
+  void polyline(const std::vector<std::pair<double, double>>& points, const Pen& pen);
   void rectangle(double x, double y, double width, double height, const Srgb8& colour);
 
   // filled, if there is a colour for it

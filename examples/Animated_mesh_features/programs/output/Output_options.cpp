@@ -37,6 +37,7 @@ Requested_file<Format> requested_features(const std::string& text)
 {
   if (text == "-") return {Format::JSON, text};
   if (const auto forced = prefixed_file<Format>(text)) return *forced;
+  if (!text.empty() && text.back() == '/') return {Format::JSON, text}; // of all clips
   std::string ending = std::filesystem::path(text).extension().string();
   for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
   for (const auto& n : names(Format()))
@@ -100,7 +101,7 @@ void add_scene_options(Option_group& group, Output_options& o)
       "a page for the browser, with everything in it: the moving surface, coloured by the deformation (and the fields "
       "of --write-field), the features as spheres, a timeline and a table");
   group.add("html-every", "N",
-            "take every N-th frame into the page, 1 for all of them (default: as many as leave 8 million positions)",
+            "take every N-th frame into the page, 1 for all of them (default: as many as leave 6.5 million positions)",
             [&](const Argument& a) { set_html_frame_step(a, o); });
   add_scene(group, o, Scene_format::VTK, "DIR",
             "a scene for ParaView: in the folder DIR, surface.pvd with strain, curvature and deformation, and "
@@ -110,8 +111,8 @@ void add_scene_options(Option_group& group, Output_options& o)
             "features as spheres that come and go");
   add_scene(
       group, o, Scene_format::PLOT, "FILE",
-      "a plot of the features over time, and of how many there are of which sigma and tau: .svg, .pdf or .png by its "
-      "ending, SVG on the standard output");
+      "a plot of the features over time, of the deformation at the strongest places over the same time, and of how many "
+      "features there are of which sigma and tau: .svg, .pdf or .png by its ending, SVG on the standard output");
   add_scene(group, o, Scene_format::PNG, "FILE",
             "a picture (PNG) of the surface, coloured by the deformation, with the features as spheres (radius sqrt(2) "
             "sigma; blue: long, red: short; dashed: at a limit of the scales) with their ranks, in the frames that --frame "
@@ -158,7 +159,7 @@ bool Output_options::is_shown(Field field) const
   // All scenes with a surface colour it by the deformation, and offer the others if they are there anyway.
   const bool has_surface = has_scene(Scene_format::HTML) || has_scene(Scene_format::VTK) ||
                            has_scene(Scene_format::GLB) || has_scene(Scene_format::PNG);
-  if (field == Field::DEFORMATION) return has_surface;
+  if (field == Field::DEFORMATION) return has_surface || has_scene(Scene_format::PLOT);
   const bool is_unused = field == Field::CURVATURE && !is_curvature_used;
   const bool has_all_fields = has_scene(Scene_format::VTK) && !is_unused;
   return has_all_fields || (has_surface && is_written(field));
@@ -217,6 +218,9 @@ void add_output_options(Option_group& group, Output_options& o)
 void complete(Output_options& o)
 {
   check_picture_options(o.picture);
+  for (const auto& f : o.features)
+    if (!f.path.empty() && f.path.back() == '/')
+      throw Option_error("-o " + f.path + ": a folder goes with --clip all, of which each clip has a file; name a file");
   // whoever asks for a scene does not ask for JSON on the standard output
   if (!o.features.empty() || !o.scenes.empty()) return;
   o.is_table_shown = is_terminal(stdout);

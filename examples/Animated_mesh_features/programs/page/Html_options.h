@@ -17,13 +17,13 @@ namespace Programs {
 // How much of a scene write_html() puts into a page.
 struct Html_options
 {
-  // the number of vertices times frames from which on vertices and frames are left out. The default makes a page of 20 to
-  // 30 MB, which a browser opens in seconds and keeps in some 200 MB of memory.
-  std::size_t most_positions = 8000000;
+  // the number of vertices times frames from which on vertices and frames are left out. The default makes a page of 15 to
+  // 35 MB, which a browser opens in seconds and keeps in some 200 MB of memory.
+  std::size_t most_positions = 6500000;
 
   // how many vertices stay (if there are as many) before frames are left out, too: on a screen, a surface of so many looks
   // like one of more, and what happens within two frames is not seen any more if one is missing.
-  std::size_t fewest_vertices = 25000;
+  std::size_t fewest_vertices = 20000;
 
   // how many frames must stay (if there are as many) for a page to be written nevertheless; default: with fewer, a motion
   // of a second or two is no longer recognised.

@@ -8,6 +8,7 @@
 
 #include "drawing/decimal.h"
 #include "rendering/Palette.h"
+#include "rendering/outer_sides.h"
 #include "scenes/colour_scales.h"
 #include "scenes/feature_in_frame.h"
 
@@ -25,6 +26,10 @@ Scene_pictures::Scene_pictures(const Shown_scene& scene)
 {
   for (const auto& t : scene.sequence.rest_shape().triangles())
     m_triangles.push_back({{std::uint32_t(t[0]), std::uint32_t(t[1]), std::uint32_t(t[2])}});
+  std::vector<Eigen::Vector3d> rest;
+  for (std::size_t i = 0; i < scene.sequence.number_of_vertices(); ++i)
+    rest.push_back(scene.sequence.rest_shape().points()[shown_vertex(scene.sequence.rest_shape(), i)]);
+  m_outer_sides = Rendering::outer_sides(rest, m_triangles);
   find_range_of_field();
   for (const Shown_feature& f : scene.features) {
     if (!(f.tau > 0)) continue;
@@ -42,6 +47,7 @@ Rendering::Surface Scene_pictures::surface(std::size_t frame) const
     s.points.emplace_back(animation.x(v, frame), animation.y(v, frame), animation.z(v, frame));
   }
   s.triangles = m_triangles;
+  s.outer_sides = m_outer_sides;
   s.normals = Rendering::vertex_normals(s.points, s.triangles);
   if (has_field())
     for (std::size_t v = 0; v < s.points.size(); ++v)

@@ -13,6 +13,7 @@
 #include "scenes/Shown_scene.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,7 @@ private:
   const Shown_scene& m_scene;
   std::vector<double> m_places; // of tau, on the scale of colours
   std::vector<Rendering::Surface::Triangle> m_triangles;
+  std::vector<std::int8_t> m_outer_sides; // of the triangles
   double m_low = 0, m_high = 0;         // of the field
   bool m_is_cut = false;                // whether there are greater values
   double m_shortest = 0, m_longest = 0; // tau

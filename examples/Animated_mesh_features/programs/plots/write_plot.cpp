@@ -18,19 +18,22 @@
 #include <cstddef>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Programs {
 
 namespace {
 
-// The drawing, from top to bottom: title, features over time with the key at the right, histograms.
+// The drawing, from top to bottom: title, features over time with the key at the right, curves if there is a field, histograms.
 class Feature_plot
 {
-  static constexpr double width = 960, height = 760;
+  static constexpr double width = 960;
   static constexpr double left = 76, right = 760, top = 84, bottom = 440; // features over time
   static constexpr double key = 800;                                      // its left side
-  static constexpr double histogram_top = 536, histogram_bottom = 696, histogram_gap = 96;
+  static constexpr double curves_top = 512, curves_bottom = 672;          // the deformation over time, if it is there
+  static constexpr double room_of_curves = 232;                           // what is below them is as much lower
+  static constexpr double histogram_top = 536, histogram_height = 160, histogram_gap = 96, histogram_margin = 64;
   static constexpr double largest_circle = 22, smallest_circle = 2; // radii
 
 public:
@@ -38,7 +41,10 @@ public:
     : m_scene(scene)
     , m_features(scene.features)
     , m_places(relative_taus(scene.features))
-    , m_canvas(format, width, height, scene.title + ": spatio-temporal features over time")
+    , m_curves(scene.features.empty() ? nullptr : scene.field("deformation"))
+    , m_histogram_top(histogram_top + (m_curves != nullptr ? room_of_curves : 0))
+    , m_canvas(format, width, m_histogram_top + histogram_height + histogram_margin,
+               scene.title + ": spatio-temporal features over time")
   {
     for (const Shown_feature& f : m_features) {
       m_most_sigma = (std::max)(m_most_sigma, f.sigma);
@@ -47,6 +53,7 @@ public:
     draw_heading();
     draw_features();
     draw_key();
+    if (m_curves != nullptr) draw_curves();
     const double middle = (left + width - 32) / 2;
     std::vector<double> sigmas, taus;
     for (const Shown_feature& f : m_features) {
@@ -105,6 +112,76 @@ private:
       m_canvas.line(inside(f.time - f.tau / 2), y, inside(f.time + f.tau / 2), y, {c, 2.5, true});
       m_canvas.circle(x, y, radius(f.sigma), {c, 1.5}, c, 0.35);
     }
+    if (m_curves == nullptr) return;
+    for (std::size_t i : strongest_of_places()) {
+      const double off = std::sqrt(0.5) * radius(m_features[i].sigma);
+      m_canvas.text(time(m_features[i].time) + off + 3, strength(m_features[i].strength) - off - 2,
+                    std::to_string(i + 1), m_style.text());
+    }
+  }
+
+  // The strongest features of the strongest places.
+  std::vector<std::size_t> strongest_of_places() const
+  {
+    const std::size_t most = 6;
+    std::vector<std::size_t> ranks;
+    for (std::size_t i = 0; i < m_features.size() && ranks.size() < most; ++i)
+      if (std::none_of(ranks.begin(), ranks.end(),
+                       [&](std::size_t k) { return m_features[k].place == m_features[i].place; }))
+        ranks.push_back(i);
+    return ranks;
+  }
+
+  // The value at a time that may be between two frames.
+  double deformation(std::size_t v, double time) const
+  {
+    const double at = time / m_scene.sequence.frame_duration(), last = double(m_curves->number_of_frames() - 1);
+    const double frame = std::floor((std::min)(last, (std::max)(0., at)));
+    const std::size_t f = std::size_t(frame), next = (std::min)(f + 1, m_curves->number_of_frames() - 1);
+    const double part = (std::min)(1., (std::max)(0., at - frame));
+    return (1 - part) * (*m_curves)(v, f) + part * (*m_curves)(v, next);
+  }
+
+  // How the surface deforms where it does most, over the same time as above; dots are the features of that place.
+  void draw_curves()
+  {
+    const std::vector<std::size_t> shown = strongest_of_places();
+    double most = 0, least = 0;
+    for (std::size_t i : shown)
+      for (std::size_t f = 0; f < m_curves->number_of_frames(); ++f) {
+        most = (std::max)(most, double((*m_curves)(m_features[i].vertex_index, f)));
+        least = (std::min)(least, double((*m_curves)(m_features[i].vertex_index, f)));
+      }
+    const Axis time = {0, duration(), left, right};
+    const Axis value = {least, most > least ? least + 1.08 * (most - least) : least + 1, curves_bottom, curves_top};
+    draw_y_axis(m_canvas, value, linear_ticks(value.min, value.max, 4), left, right, "deformation", m_style);
+    draw_x_axis(m_canvas, time, linear_ticks(time.min, time.max, 8), curves_bottom, "time (s)", m_style);
+    m_canvas.text(key, curves_top + 8, "where it is strongest:", m_style.dim_text());
+    m_canvas.text(key, curves_top + 26, "rank, vertex", m_style.dim_text());
+    double row = curves_top + 50;
+    for (std::size_t i : shown) {
+      const Shown_feature& f = m_features[i];
+      const Rendering::Srgb8 c = colour(m_places[i]);
+      std::vector<std::pair<double, double>> points;
+      for (std::size_t frame = 0; frame < m_curves->number_of_frames(); ++frame)
+        points.emplace_back(time(double(frame) * m_scene.sequence.frame_duration()),
+                            value((*m_curves)(f.vertex_index, frame)));
+      m_canvas.polyline(points, {c, 1.8, true});
+      m_canvas.line(key, row, key + 24, row, {c, 1.8, true});
+      m_canvas.text(key + 34, row + capital_height * m_style.text_size / 2,
+                    std::to_string(i + 1) + ", " + std::to_string(f.vertex_index), m_style.text());
+      row += 20;
+    }
+    // above all curves
+    for (std::size_t i : shown)
+      for (std::size_t k = m_features.size(); k-- > 0;) {
+        const Shown_feature& f = m_features[k];
+        if (f.place != m_features[i].place) continue;
+        const double x = time((std::min)(time.max, (std::max)(time.min, f.time)));
+        const double y = value(deformation(m_features[i].vertex_index, f.time));
+        m_canvas.circle(x, y, k == i ? 4 : 2.5, {{{255, 255, 255}}, 1}, colour(m_places[k]));
+        if (k == i) m_canvas.text(x + 7, y - 5, std::to_string(i + 1), m_style.text());
+      }
   }
 
   void draw_key()
@@ -150,17 +227,19 @@ private:
     for (double value : values)
       ++counts[(std::min)(bins - 1, std::size_t((std::max)(0., position(value) * double(bins))))];
     const double most = double(*std::max_element(counts.begin(), counts.end()));
-    const Axis y = {0, 1.08 * most, histogram_bottom, histogram_top};
+    const double bottom_of_columns = m_histogram_top + histogram_height;
+    const Axis y = {0, 1.08 * most, bottom_of_columns, m_histogram_top};
     draw_y_axis(m_canvas, y, linear_ticks(0, y.max, 5, true), begin, end, "features", m_style);
     for (std::size_t i = 0; i < bins; ++i) {
       if (counts[i] == 0) continue;
       const double from = begin + (end - begin) * double(i) / double(bins),
                    to = begin + (end - begin) * double(i + 1) / double(bins), gap = 1;
       // the scale of colours is by ratio as well
-      m_canvas.rectangle(from + gap, y(double(counts[i])), to - from - 2 * gap, histogram_bottom - y(double(counts[i])),
+      m_canvas.rectangle(from + gap, y(double(counts[i])), to - from - 2 * gap,
+                         bottom_of_columns - y(double(counts[i])),
                          by_tau && *range.second > *range.first ? colour((double(i) + 0.5) / double(bins)) : m_column);
     }
-    draw_x_axis(m_canvas, x, logarithmic_ticks(min, max), histogram_bottom, name, m_style);
+    draw_x_axis(m_canvas, x, logarithmic_ticks(min, max), bottom_of_columns, name, m_style);
   }
 
   const Shown_scene& m_scene;
@@ -168,6 +247,8 @@ private:
   const std::vector<double> m_places; // of tau, on the scale of colours
   const Plot_style m_style;
   const Rendering::Srgb8 m_column = {{111, 127, 143}};
+  const Shown_values* const m_curves; // null: none are drawn
+  const double m_histogram_top;
   double m_most_sigma = 0, m_most_strength = 0;
   Canvas m_canvas;
 };

@@ -13,7 +13,7 @@
 #include <CGAL/Animated_mesh_features/IO/check_frames.h>
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
 #include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>
-#include <CGAL/Animated_mesh_features/IO/weld_animation.h>
+#include <CGAL/Animated_mesh_features/IO/weld_part.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <algorithm>
@@ -172,7 +172,7 @@ Animation::Animation(const Reading_options& options, const AMF::IO::Memory_choos
 Animation::Animation(const Reading_options& options, File_data data, const Rest_points& rest, AMF::Any_visitor visitor)
 {
   AMF::IO::check_frames(options.skip_bad_frames, data);
-  AMF::IO::weld_animation(mesh_reading_options(options).welding, options.repair, data);
+  AMF::IO::weld_part(mesh_reading_options(options), data);
   take(options, data);
   Rest_points points;
   for (std::size_t v = 0; !rest.empty() && v < m_sequence->number_of_vertices(); ++v)
@@ -206,6 +206,7 @@ void Animation::take(const Reading_options& options, File_data& data)
                            " frames in a second; --fps says how many there are");
   m_clip_name = Programs::clip_name(data);
   m_clips = data.clips;
+  m_parts = AMF::IO::part_list(data);
   m_remarks = std::move(data.remarks);
   m_notices = std::move(data.notices);
   add_notice_of_slow_frames(options, m_frames_per_second, data, m_notices);

@@ -57,6 +57,9 @@ public:
   // of the one that is taken: its name, or its number if there are others of that name
   const std::string& clip_name() const { return m_clip_name; }
 
+  // what parts of the surface there are, or of the one that is taken, as --part takes them: a line
+  const std::string& parts() const { return m_parts; }
+
   // whether the frames were made here, from keys
   bool is_sampled() const { return m_is_sampled; }
 
@@ -89,7 +92,7 @@ private:
   std::size_t m_frames_read = 0;
   bool m_is_sampled = false;
   std::vector<std::string> m_clips, m_remarks, m_notices, m_files;
-  std::string m_clip_name;
+  std::string m_clip_name, m_parts;
   CGAL::Animated_mesh_features::IO::Vertex_origins m_origins;
   Taken_rest m_rest;
 };

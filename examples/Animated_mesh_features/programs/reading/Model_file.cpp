@@ -53,6 +53,7 @@ Model_format model_format(AMF::IO::File_format format)
   s.frames_per_second = o.frames_per_second;
   s.there_and_back = o.there_and_back;
   s.skip_bad_frames = o.skip_bad_frames;
+  s.part = o.part;
   return s;
 }
 
@@ -62,6 +63,15 @@ Model_format model_format(AMF::IO::File_format format)
   throw AMF::Input_error(file + ": this program was built without " + library +
                          ", which reads such files (CMake option ANIMATED_MESH_FEATURES_WITH_" + option + ")");
 }
+
+#ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
+AMF::IO::Keyframed_model gltf_model(const Reading_options& o)
+{
+  const AMF::IO::Linked_files linked =
+      o.allow_outside ? AMF::IO::Linked_files::ANYWHERE : AMF::IO::Linked_files::BESIDE_MODEL;
+  return AMF::IO::read_gltf(o.inputs.front(), linked);
+}
+#endif
 
 } // namespace
 
@@ -83,9 +93,7 @@ AMF::IO::Animation_file_data<double> read_model_file(const Reading_options& o, M
   AMF::IO::check_readable(file);
   if (format == Model_format::GLTF) {
 #ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
-    const AMF::IO::Linked_files linked =
-        o.allow_outside ? AMF::IO::Linked_files::ANYWHERE : AMF::IO::Linked_files::BESIDE_MODEL;
-    return AMF::IO::sample_clip<double>(AMF::IO::read_gltf(file, linked), sampling(o), file, choose_memory);
+    return AMF::IO::sample_clip<double>(gltf_model(o), sampling(o), file, choose_memory);
 #else
     throw_without(file, "tinygltf", "GLTF");
 #endif
@@ -109,6 +117,37 @@ AMF::IO::Animation_file_data<double> read_model_file(const Reading_options& o, M
 #else
   throw_without(file, "HDF5", "HDF5");
 #endif
+}
+
+std::vector<std::string> clip_names(const Reading_options& o)
+{
+  const Model_format format = model_format(o.inputs);
+  const std::string& file = o.inputs.front();
+  if (format == Model_format::NONE)
+    throw AMF::Option_error("--clip goes with a file that holds several animations: an animated model, or HDF5");
+  AMF::IO::check_readable(file);
+  std::vector<std::string> names;
+  if (format == Model_format::GLTF) {
+#ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
+    names = AMF::IO::clip_names(gltf_model(o));
+#else
+    throw_without(file, "tinygltf", "GLTF");
+#endif
+  } else if (format == Model_format::ASSIMP) {
+#ifdef ANIMATED_MESH_FEATURES_WITH_ASSIMP
+    names = AMF::IO::clip_names(AMF::IO::read_assimp(file));
+#else
+    throw_without(file, "assimp", "ASSIMP");
+#endif
+  } else {
+#ifdef ANIMATED_MESH_FEATURES_WITH_HDF5
+    names = AMF::IO::hdf5_sequences(file);
+#else
+    throw_without(file, "HDF5", "HDF5");
+#endif
+  }
+  if (names.empty()) throw AMF::Input_error(file + ": holds no animation");
+  return names;
 }
 
 } // namespace Programs

@@ -35,6 +35,10 @@ CGAL::Animated_mesh_features::IO::Animation_file_data<double>
 read_model_file(const Reading_options& options, Model_format format,
                 const CGAL::Animated_mesh_features::IO::Memory_chooser& choose_memory);
 
+// The names of all clips in a file; `Reading_options::clip` does not matter.
+// throws Option_error if the input holds no clips whatever is in it; Input_error if there are none, or as above.
+std::vector<std::string> clip_names(const Reading_options& options);
+
 } // namespace Programs
 
 #endif // PROGRAMS_READING_MODEL_FILE_H

@@ -79,7 +79,9 @@ void add_clip_options(Option_group& group, Reading_options& o)
   group.add("clip", "NAME",
             "the clip of an animated model, or the sequence of an HDF5 file, by name, or by number from 0; several "
             "clips that "
-            "play together as A+B (default: the first; --verbose lists them)",
+            "play together as A+B (default: the first; --verbose lists them); all: each of them by itself, with a table at "
+            "the end; outputs are then folders, in which files are called as clips, or have {clip} where the clip's name is "
+            "to be: -o results/ --html 'results/{clip}.html'",
             [&](const Argument& a) { o.clip = a.text(); });
   group.add_repeatable(
       "frames", "N|A:B",
@@ -124,6 +126,12 @@ void add_reading_options(Option_group& group, Reading_options& o)
                              ": no animation has that many frames in a second; from 1e-6 to 1e6 are taken");
       });
   add_clip_options(group, o);
+  group.add("part", "NAME|N",
+            "take a part of the surface only: of a model a node, with all that hangs below it, or a mesh, by its name, or "
+            "NAME/P for its primitive P; of an OBJ file an object or a group; of whatever input the N-th connected "
+            "component, 1 for the one with the most vertices (--verbose lists all). Results count the part's own vertices "
+            "and tell those of the file beside them",
+            [&](const Argument& a) { o.part = a.text(); });
   group.add("rest", "SHAPE",
             "the undeformed shape: a mesh FILE of the same connectivity; mesh, the one given with a point cache; bind, a "
             "model without any clip; first, the first frame; frame:N, counted from 0; average, the canonical shape of "
@@ -166,6 +174,7 @@ AMF::IO::Mesh_reading_options mesh_reading_options(const Reading_options& o)
                                              : AMF::IO::Welding::AUTO;
   options.repair = o.repair;
   options.skip_bad_frames = o.skip_bad_frames;
+  options.part = o.part;
   return options;
 }
 

@@ -81,6 +81,8 @@ struct Reading_options
   bool skip_bad_frames = false; // bridge broken frames in time
   Denoise denoise = Denoise::AUTO;
 
+  std::string part; // of the surface, by name or by the number of a component, from 1; empty: all
+
   // of files with clips
   std::string clip; // by name or number; empty: the first
   std::optional<std::size_t> clip_frames;

@@ -29,6 +29,7 @@ std::string animation_report(const Reading_options& options, const Animation& an
      << " in a second: " << double(sequence.number_of_frames()) * sequence.frame_duration() << " s\n";
   if (!animation.clips().empty())
     os << "clips: " << AMF::IO::clip_list(animation.clips()) << "; this is " << animation.clip_name() << '\n';
+  os << "parts: " << animation.parts() << (options.part.empty() ? "" : "; this is " + options.part) << '\n';
   for (const std::string& remark : animation.remarks()) os << "file: " << remark << '\n';
   os << "rest shape: " << animation.rest().name;
   if (options.rest.kind == Rest::BY_INPUT) os << ", as " << animation.rest().reason;
@@ -77,6 +78,7 @@ void add_reading_parameters(AMF::IO::Result_description& d, const Reading_option
   d.add("skip_bad_frames", o.skip_bad_frames);
   d.add("denoise", name(o.denoise));
   add_if(animation.noise() > 0, d, "noise_taken_out", animation.noise());
+  add_if(!o.part.empty(), d, "part", o.part);
   d.add("fps", animation.frames_per_second());
   add_if(o.frame_range.has_value(), d, "frame_range", o.frame_range.value_or(Frame_range()).text);
   add_if(!animation.clips().empty(), d, "clip", animation.clip_name());

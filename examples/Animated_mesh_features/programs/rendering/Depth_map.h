@@ -31,8 +31,7 @@ public:
   // is asked for every point and light.
   float visibility(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) const
   {
-    const double away = 1.5; // texels: half the diagonal of the interpolated ones, for slopes of up to 45 degrees
-    Eigen::Vector3f p = place(point + away / m_scale * normal);
+    Eigen::Vector3f p = place(point + m_away * normal);
     p[0] -= 0.5f, p[1] -= 0.5f;
     const float last = float(m_size - 1);
     if (!(p[0] >= 0 && p[1] >= 0 && p[0] < last && p[1] < last)) return 1;
@@ -52,11 +51,13 @@ private:
     return m_axes * (p - m_centre).cast<float>() + Eigen::Vector3f(middle, middle, 0);
   }
 
-  void draw(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c);
+  // `side` is 1 or -1 if only a triangle that shows this side counts, else 0.
+  void draw(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c, int side);
 
   long m_size;
   Eigen::Vector3d m_centre;
   double m_scale; // texels in a unit of length
+  double m_away;  // 1.5 texels: half the diagonal of the interpolated ones, for slopes of up to 45 degrees
   Eigen::Matrix3f m_axes; // in texels
   std::vector<float> m_height;
 };

@@ -20,6 +20,16 @@
 
 namespace Programs::Rendering {
 
+namespace {
+
+double to_34(double x)
+{
+  const double x2 = x * x, x4 = x2 * x2, x8 = x4 * x4, x16 = x8 * x8;
+  return x16 * x16 * x2;
+}
+
+} // namespace
+
 std::vector<Shading> illuminated(const std::vector<Shading_point>& points, const Surface& surface,
                                  const Eigen::Vector3d& centre, double radius, const std::vector<Light>& lights,
                                  std::size_t map_size)
@@ -27,7 +37,7 @@ std::vector<Shading> illuminated(const std::vector<Shading_point>& points, const
   typedef CGAL::Parallel_if_available_tag Parallel;
   using CGAL::Animated_mesh_features::parallel_for;
   const std::size_t maps_at_a_time = 8, block = 4096;
-  const double shininess = 34;     // a soft highlight, as of clay
+  const double shininess = 34; // a soft highlight, as of clay; see to_34()
   const float reflectance = 0.04f; // of most things that are no metal
   std::vector<Shading> result(points.size());
   std::vector<std::unique_ptr<Depth_map>> maps(maps_at_a_time);
@@ -55,7 +65,7 @@ std::vector<Shading> illuminated(const std::vector<Shading_point>& points, const
           const double fresnel = reflectance + (1 - reflectance) * grazing * grazing * grazing * grazing * grazing;
           const double mirrored = (std::max)(0., half.dot(s.normal));
           if (mirrored < 0.75) continue; // to the power of the shininess, below 1e-4
-          const double lobe = (shininess + 8) / 8 * std::pow(mirrored, shininess) * fresnel * cosine;
+          const double lobe = (shininess + 8) / 8 * to_34(mirrored) * fresnel * cosine;
           result[p].highlight += visibility * float(lobe) * light.colour;
         }
       }

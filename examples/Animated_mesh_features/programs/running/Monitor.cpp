@@ -10,9 +10,9 @@
 
 namespace Programs {
 
-Monitor::Monitor(Stage_log& log, bool show_progress)
+Monitor::Monitor(Stage_log& log, bool show_progress, const std::string& prefix)
   : m_log(log)
-  , m_bar(show_progress)
+  , m_bar(show_progress, prefix)
 {}
 
 void Monitor::begin(CGAL::Animated_mesh_features::Stage stage)

@@ -12,6 +12,8 @@
 
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Stage.h>
 
+#include <string>
+
 namespace Programs {
 
 // Watches a detection: a model of DetectionVisitor, which keeps the log, shows the progress and ends the detection when
@@ -19,7 +21,8 @@ namespace Programs {
 class Monitor
 {
 public:
-  Monitor(Stage_log& log, bool show_progress);
+  // `prefix` stands before the progress.
+  Monitor(Stage_log& log, bool show_progress, const std::string& prefix = std::string());
   virtual ~Monitor() = default;
   Monitor(const Monitor&) = delete;
   Monitor& operator=(const Monitor&) = delete;

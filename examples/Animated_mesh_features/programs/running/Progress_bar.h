@@ -15,7 +15,8 @@ namespace Programs {
 class Progress_bar
 {
 public:
-  explicit Progress_bar(bool wanted);
+  // `prefix` stands before all that is shown.
+  explicit Progress_bar(bool wanted, const std::string& prefix = std::string());
   ~Progress_bar() { clear(); }
   Progress_bar(const Progress_bar&) = delete;
   Progress_bar& operator=(const Progress_bar&) = delete;
@@ -25,7 +26,7 @@ public:
 
 private:
   bool m_is_shown;
-  std::string m_line;
+  std::string m_prefix, m_line;
 };
 
 } // namespace Programs

@@ -9,12 +9,14 @@
 #include "rendering/Palette.h"
 #include "scenes/append_xml_text.h"
 #include "scenes/colour_scales.h"
+#include "views/Scene_views.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,7 +28,8 @@ const char* const script = R"(#!/usr/bin/env pvpython
 """Shows this folder in ParaView 5.6 or later: the moving surface and its features as spheres.
 
     paraview --script=show_in_paraview.py             a window; press play
-    pvpython show_in_paraview.py PICTURE.png [TIME]   a picture, at a time in seconds
+    pvpython show_in_paraview.py PICTURE.png [TIME]   a picture, at a time in seconds; without a display:
+                                                      xvfb-run -a pvpython show_in_paraview.py PICTURE.png
 
 Spheres have the radius sqrt(2) sigma and are coloured by tau, red for short and blue for long.
 """
@@ -42,6 +45,7 @@ FIELD_COLOURS = @FIELD_COLOURS@  # from 0 to the top, at equal distances: red, g
 TAUS = @TAUS@  # the shortest and the longest, in seconds
 TAU_COLOURS = @TAU_COLOURS@  # from the shortest to the longest, at equal ratios
 STRONGEST_TIME = @STRONGEST_TIME@  # of the strongest feature
+UP = @UP@  # the axis that points up: 0, 1 or 2
 
 
 def folder():
@@ -62,6 +66,29 @@ def colour(display, array, values, colours):
     return table
 
 
+def show_key(display, view, table, title):
+    display.SetScalarBarVisibility(view, True)
+    bar = pv.GetScalarBar(table, view)
+    bar.Title = title
+    bar.ComponentTitle = ""
+    bar.RangeLabelFormat = "%.2g"
+
+
+def look(view, surface):
+    """At the broader side of the surface, a little from the left and from above."""
+    bounds = surface.GetDataInformation().GetBounds()
+    size = [bounds[2 * i + 1] - bounds[2 * i] for i in range(3)]
+    across, along = sorted((i for i in range(3) if i != UP), key=lambda i: size[i])
+    direction = [0, 0, 0]
+    direction[across], direction[along], direction[UP] = 0.85, 0.45, 0.25
+    middle = [(bounds[2 * i] + bounds[2 * i + 1]) / 2 for i in range(3)]
+    view.CameraFocalPoint = middle
+    view.CameraPosition = [m + 3 * sum(size) * d for m, d in zip(middle, direction)]
+    view.CameraViewUp = [float(i == UP) for i in range(3)]
+    view.ResetCamera()
+    view.GetActiveCamera().Dolly(1.3)  # what is reset has wide margins
+
+
 def show():
     view = pv.GetActiveViewOrCreate("RenderView")
     surface = pv.PVDReader(FileName=os.path.join(folder(), "surface.pvd"))
@@ -69,8 +96,8 @@ def show():
     display = pv.Show(surface, view)
     if FIELD is not None:
         last = len(FIELD_COLOURS) - 1
-        colour(display, FIELD, [FIELD_TOP * i / last for i in range(last + 1)], FIELD_COLOURS)
-        display.SetScalarBarVisibility(view, True)
+        table = colour(display, FIELD, [FIELD_TOP * i / last for i in range(last + 1)], FIELD_COLOURS)
+        show_key(display, view, table, FIELD)
     features = pv.PVDReader(FileName=os.path.join(folder(), "features.pvd"))
     pv.RenameSource("features", features)
     spheres = pv.Glyph(Input=features, GlyphType="Sphere")
@@ -86,12 +113,11 @@ def show():
     if TAUS is not None:
         last = len(TAU_COLOURS) - 1
         taus = [TAUS[0] * (TAUS[1] / TAUS[0]) ** (i / last) for i in range(last + 1)]
-        colour(display, "tau", taus, TAU_COLOURS)
-        display.SetScalarBarVisibility(view, True)
+        show_key(display, view, colour(display, "tau", taus, TAU_COLOURS), "tau, in seconds")
     scene = pv.GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.AnimationTime = STRONGEST_TIME
-    view.ResetCamera()
+    look(view, surface)
     return view, scene
 
 
@@ -102,6 +128,7 @@ def main():
         if len(sys.argv) > 2:
             scene.AnimationTime = float(sys.argv[2])
         view.ViewSize = [1200, 900]
+        pv.LoadPalette("WhiteBackground")
         pv.Render(view)
         pv.SaveScreenshot(sys.argv[1], view)
     else:
@@ -160,7 +187,8 @@ std::string paraview_script(const Shown_scene& scene)
       {"@FIELD_COLOURS@", python(colour_samples(Rendering::field_colours()))},
       {"@TAUS@", python(range_of_taus(scene.features))},
       {"@TAU_COLOURS@", python(colour_samples(Rendering::duration_colours()))},
-      {"@STRONGEST_TIME@", python(time)}};
+      {"@STRONGEST_TIME@", python(time)},
+      {"@UP@", python(scene_up_axis(scene, std::nullopt))}};
   std::string text = script;
   for (const auto& value : values) text.replace(text.find(value.first), value.first.size(), value.second);
   return text;

@@ -64,7 +64,12 @@ struct Animation_file_data
   /// empty if vertices are those of the file.
   Vertex_origins origins;
 
-  /// the mesh as its file has it, if vertices were welded or the surface was repaired (see `weld_animation()`); else empty.
+  /// the names that the file gives to parts of the surface, in its order, each once: of OBJ those of objects and groups, of
+  /// models those of nodes and meshes.
+  std::vector<std::string> part_names;
+
+  /// the mesh as its file has it, if vertices were welded or the surface was repaired (see `weld_animation()`), or only a
+  /// part of it was taken; else empty.
   Indexed_mesh file_mesh;
 
   /// what was left out or changed on reading, for the user: a sentence each.

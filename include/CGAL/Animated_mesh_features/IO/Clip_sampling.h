@@ -64,6 +64,11 @@ struct Clip_sampling
 
   /// leave out frames that are broken, and bridge them in time; by default they are an error. See `check_frames()`.
   bool skip_bad_frames = false;
+
+  /// which part of the model is taken, by the name of a node, with all nodes below it, or of a mesh, or NAME/P for the
+  /// primitive `P` of one of these; or else a connected component by its number. Empty: all. See `taken_parts()`,
+  /// `keep_component()`.
+  std::string part;
 };
 
 /*!

@@ -24,8 +24,18 @@ from 0. It may be anything; `to_surface_mesh()` tells whether it is a surface.
 */
 struct Indexed_mesh
 {
+  /// Triangles that the file gives names to: those from `first_triangle` to that of the next group.
+  struct Group
+  {
+    std::vector<std::string> names; ///< of OBJ the object (`o`) and its groups (`g`)
+    std::size_t first_triangle = 0; ///< in `triangles`
+  };
+
   std::vector<std::array<double, 3>> points;         ///< `N`
   std::vector<std::array<std::size_t, 3>> triangles; ///< `M`, of indices of points
+
+  /// ascending; empty if the file names nothing. Only OBJ does.
+  std::vector<Group> groups;
 
   /// what is unusual in the file but does no harm: a sentence each.
   std::vector<std::string> remarks;

@@ -87,6 +87,8 @@ struct Keyframed_model
     std::size_t skin = none;     ///< what moves it instead, or `none`
     std::vector<double> weights; ///< of the morph targets, as long as no clip says otherwise
     std::string name;            ///< as the file has it, for messages
+    std::string mesh = {};       ///< the name of the mesh that the geometry is of; may be empty
+    std::size_t primitive = 0;   ///< which of that mesh's pieces it is
   };
 
   /// What of a node a channel changes.

@@ -7,6 +7,8 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_IO_MESH_READING_OPTIONS_H
 #define CGAL_ANIMATED_MESH_FEATURES_IO_MESH_READING_OPTIONS_H
 
+#include <string>
+
 namespace CGAL {
 namespace Animated_mesh_features {
 namespace IO {
@@ -50,6 +52,10 @@ struct Mesh_reading_options
   /// leave out frames that are broken, and bridge them in time (`check_frames()`). By default they are an error: what makes
   /// one frame bad is often wrong with others, too.
   bool skip_bad_frames = false;
+
+  /// which part of the surface is taken: an object or a group of an OBJ file by its name, or else a connected component by
+  /// its number; empty: all. See `weld_part()`.
+  std::string part;
 };
 
 } // namespace IO

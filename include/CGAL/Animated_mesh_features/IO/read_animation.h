@@ -18,7 +18,7 @@
 #include <CGAL/Animated_mesh_features/IO/internal/read_frame_files.h>
 #include <CGAL/Animated_mesh_features/IO/numbered_series.h>
 #include <CGAL/Animated_mesh_features/IO/read_mesh.h>
-#include <CGAL/Animated_mesh_features/IO/weld_animation.h>
+#include <CGAL/Animated_mesh_features/IO/weld_part.h>
 
 #include <CGAL/tags.h>
 
@@ -133,7 +133,7 @@ Animation_file_data<FT> read_animation(const std::vector<std::string>& inputs,
   if (data.frames < 2) throw Input_error(data.sources.back() + ": one frame is no animation");
   check_frames<ConcurrencyTag>(options.skip_bad_frames, data);
   if (!caches.empty()) check_cache_fits(caches[0], data);
-  weld_animation(options.welding, options.repair, data);
+  weld_part(options, data);
   return data;
 }
 

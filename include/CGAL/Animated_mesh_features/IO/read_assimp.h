@@ -86,6 +86,8 @@ private:
       if ((mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE) == 0) continue;
       Keyframed_model::Part part;
       part.node = node;
+      part.mesh = mesh.mName.C_Str();
+      part.primitive = i;
       part.name = "node \"" + m_model.nodes[node].name + "\", mesh " + std::to_string(from.mMeshes[i]);
       part.geometry = m_model.geometries.size();
       m_model.geometries.push_back(geometry(mesh, part.name));
@@ -94,7 +96,6 @@ private:
         part.skin = m_model.skins.size();
         add_skin(mesh, node, part.name);
       }
-      m_mesh_names.push_back(mesh.mName.C_Str());
       m_model.parts.push_back(std::move(part));
     }
   }
@@ -204,11 +205,9 @@ private:
     std::string name = from.mName.C_Str();
     name = name.substr(0, name.find('*'));
     bool is_found = false;
-    for (std::size_t p = 0; p < m_model.parts.size(); ++p) {
-      const Keyframed_model::Part& part = m_model.parts[p];
-      const std::string& mesh_name = m_mesh_names[p];
+    for (const Keyframed_model::Part& part : m_model.parts) {
       if (part.weights.empty() ||
-          (m_model.nodes[part.node].name != name && mesh_name.substr(0, mesh_name.find('*')) != name))
+          (m_model.nodes[part.node].name != name && part.mesh.substr(0, part.mesh.find('*')) != name))
         continue;
       is_found = true;
       Keyframed_model::Channel channel;
@@ -236,7 +235,6 @@ private:
   Keyframed_model m_model;
   std::vector<std::pair<const aiNode*, std::size_t>> m_nodes;
   std::map<std::string, std::size_t> m_by_name;
-  std::vector<std::string> m_mesh_names; // of each part
 };
 
 } // namespace internal

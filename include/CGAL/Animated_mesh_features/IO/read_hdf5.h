@@ -72,6 +72,15 @@ inline bool is_by_frame(const Hdf5_file::Extent& e, const Hdf5_corners& corners)
   return e.size() == 3 && e[2] == 3 && corners.fit(e[1]);
 }
 
+// All three-dimensional datasets, in alphabetical order.
+inline std::vector<std::string> hdf5_sequences(const Hdf5_file& hdf5)
+{
+  std::vector<std::string> names;
+  for (const std::string& name : hdf5.datasets())
+    if (hdf5.extent(name).size() == 3) names.push_back(name);
+  return names;
+}
+
 // The name or number of the sequence that is meant: if nothing is wanted, the first that has the vertices of the faces.
 inline std::size_t hdf5_clip(const Hdf5_file& hdf5, const std::vector<std::string>& names, const std::string& wanted,
                              const Hdf5_corners& corners, const std::string& file)
@@ -154,6 +163,18 @@ void read_hdf5_fields(const Hdf5_file& hdf5, const Hdf5_sequence& s, const std::
 /*!
 \ingroup PkgAnimatedMeshFeaturesReading
 
+the names of the sequences in an HDF5 file, which `read_hdf5()` reads: all three-dimensional datasets, in alphabetical order.
+
+\throws Input_error if the file cannot be read.
+*/
+inline std::vector<std::string> hdf5_sequences(const std::string& file)
+{
+  return internal::hdf5_sequences(internal::Hdf5_file(file));
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesReading
+
 reads a sequence of registered meshes from an HDF5 file laid out like D-FAUST's: for each sequence a dataset of
 positions, `N x 3 x F`, and one of triangles for all of them, `T x 3`, counted from 0, or from 1 if the largest is `N`. Positions may also be `F x N x
 3`, unless the sizes leave a doubt.
@@ -183,8 +204,7 @@ read_hdf5(const std::string& file, const std::string& sequence = std::string(), 
   data.sources = {file};
   data.mesh.triangles = internal::read_hdf5_faces(hdf5, faces, file);
   const internal::Hdf5_corners corners = internal::hdf5_corners(data.mesh.triangles);
-  for (const std::string& name : hdf5.datasets())
-    if (hdf5.extent(name).size() == 3) data.clips.push_back(name);
+  data.clips = internal::hdf5_sequences(hdf5);
   if (data.clips.empty()) throw Input_error(file + ": has no dataset vertices x 3 x frames");
   data.clip = internal::hdf5_clip(hdf5, data.clips, sequence, corners, file);
   const internal::Hdf5_sequence s = internal::hdf5_sequence(hdf5, data.clips[data.clip], corners, file);
@@ -203,7 +223,7 @@ read_hdf5(const std::string& file, const std::string& sequence = std::string(), 
   for (std::size_t v = 0; v < s.vertices; ++v)
     data.mesh.points.push_back({{double(data.x(v, 0)), double(data.y(v, 0)), double(data.z(v, 0))}});
   check_frames(options.skip_bad_frames, data);
-  weld_animation(options.welding, options.repair, data);
+  weld_part(options, data);
   return data;
 }
 

@@ -20,6 +20,8 @@
 #include <CGAL/Animated_mesh_features/IO/internal/numbers.h>
 #include <CGAL/Animated_mesh_features/IO/internal/welding_remarks.h>
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
+#include <CGAL/Animated_mesh_features/IO/take_part.h>
+#include <CGAL/Animated_mesh_features/IO/taken_parts.h>
 #include <CGAL/Animated_mesh_features/IO/weld_surface.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Thread_local.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
@@ -40,21 +42,31 @@ namespace IO {
 
 namespace internal {
 
-// The triangles of all parts, by the vertices of the file; turned round in parts that are mirrored.
-inline std::vector<std::array<std::size_t, 3>> drawn_triangles(const Keyframed_model& model,
-                                                               const std::vector<char>& mirrored)
+// The triangles of the parts that are taken - all, if there are none - by the vertices of the file; turned round in parts
+// that are mirrored.
+inline std::vector<std::array<std::size_t, 3>>
+drawn_triangles(const Keyframed_model& model, const std::vector<char>& mirrored, const std::vector<char>& taken)
 {
   std::vector<std::array<std::size_t, 3>> triangles;
   std::size_t first = 0;
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const Keyframed_model::Geometry& g = model.geometries[model.parts[i].geometry];
-    for (std::array<std::size_t, 3> t : g.triangles) {
-      if (mirrored[i]) std::swap(t[1], t[2]);
-      triangles.push_back({{first + t[0], first + t[1], first + t[2]}});
-    }
+    if (taken.empty() || taken[i])
+      for (std::array<std::size_t, 3> t : g.triangles) {
+        if (mirrored[i]) std::swap(t[1], t[2]);
+        triangles.push_back({{first + t[0], first + t[1], first + t[2]}});
+      }
     first += g.points.size();
   }
   return triangles;
+}
+
+inline std::size_t number_of_vertices(const Keyframed_model& model, const std::vector<char>& taken)
+{
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < model.parts.size(); ++i)
+    if (taken.empty() || taken[i]) n += model.geometries[model.parts[i].geometry].points.size();
+  return n;
 }
 
 inline Vertex_origins vertex_origins(const Keyframed_model& model, Welded_surface& surface)
@@ -146,7 +158,7 @@ fewest that there can be, too, after one frame, so that what is much too large i
 \param sampling which clip, and when
 \param file the name for messages
 \param choose_memory see `Memory_chooser`
-\throws Option_error see `find_clips()`, `joined_clip()` and `frame_times()`
+\throws Option_error see `find_clips()`, `joined_clip()`, `frame_times()`, and `keep_component()` for a part that is not there
 \throws Input_error see `Keyframed_model_evaluator`, `find_clips()`, `frame_times()`; a position is not
 finite; there are no triangles; a frame is broken, see `check_frames()`.
 */
@@ -165,7 +177,9 @@ Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sam
   data.frames = frames.size();
   data.times = frames.times();
 
-  const std::vector<std::array<std::size_t, 3>> triangles = internal::drawn_triangles(model, frames.mirrored_parts());
+  const std::vector<char> taken = taken_parts(model, sampling.part);
+  const std::vector<std::array<std::size_t, 3>> triangles =
+      internal::drawn_triangles(model, frames.mirrored_parts(), taken);
   internal::Clip_frames::Points first_points;
   frames.get(0, first_points);
   internal::chosen_memory(choose_memory, internal::fewest_vertices(triangles, first_points), data.frames);
@@ -174,7 +188,9 @@ Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sam
   Welded_surface surface = weld_surface(triangles, coincident.first_of_class());
   if (surface.triangles.empty()) throw Input_error(file + ": holds no triangles");
   data.remarks = model.remarks;
-  for (std::string& remark : internal::welding_remarks(surface, model.number_of_vertices()))
+  const std::size_t taken_vertices = internal::number_of_vertices(model, taken);
+  surface.unused_vertices -= model.number_of_vertices() - taken_vertices; // in parts that were not asked for
+  for (std::string& remark : internal::welding_remarks(surface, taken_vertices))
     data.remarks.push_back(std::move(remark));
 
   data.mesh.triangles = std::move(surface.triangles);
@@ -186,6 +202,8 @@ Animation_file_data<FT> sample_clip(const Keyframed_model& model, const Clip_sam
   data.bind_points = internal::bind_points(model, source, file);
   internal::fill_frames<ConcurrencyTag>(frames, source, internal::chosen_memory(choose_memory, n, data.frames), data);
   check_frames<ConcurrencyTag>(sampling.skip_bad_frames, data);
+  data.part_names = part_names(model);
+  if (!sampling.part.empty() && taken.empty()) keep_component(sampling.part, data);
   return data;
 }
 

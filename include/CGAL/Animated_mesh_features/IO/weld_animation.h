@@ -12,6 +12,7 @@
 #include <CGAL/Animated_mesh_features/IO/Coincident_vertices.h>
 #include <CGAL/Animated_mesh_features/IO/Mesh_reading_options.h>
 #include <CGAL/Animated_mesh_features/IO/internal/Corner_adjacency.h>
+#include <CGAL/Animated_mesh_features/IO/internal/take_surface.h>
 #include <CGAL/Animated_mesh_features/IO/internal/welding_remarks.h>
 #include <CGAL/Animated_mesh_features/IO/repair_triangles.h>
 #include <CGAL/Animated_mesh_features/IO/weld_surface.h>
@@ -53,34 +54,6 @@ inline std::vector<std::string> repair_remarks(const Repaired_triangles& r)
   add(r.turned_round, "face", "faces", " turned round to agree with their neighbours");
   add(r.branching_edges, "edge", "edges", " cut open where more than two faces meet");
   return remarks;
-}
-
-template <class FT>
-void take_rows(const std::vector<std::size_t>& rows, std::size_t frames, Spatio_temporal_field<FT>& field)
-{
-  Spatio_temporal_field<FT> taken(rows.size(), frames, field.memory());
-  for (std::size_t i = 0; i < rows.size(); ++i) std::copy_n(field.row(rows[i]), frames, taken.row(i));
-  field.swap(taken);
-}
-
-// Makes the vertices those of a welded surface.
-template <class FT>
-void take_surface(Welded_surface surface, Animation_file_data<FT>& data)
-{
-  const std::string& file = data.sources.front();
-  data.file_mesh = std::move(data.mesh);
-  data.mesh = Indexed_mesh();
-  data.mesh.triangles = std::move(surface.triangles);
-  const std::string name = std::filesystem::path(file).filename().string();
-  data.origins.parts = {{name, 0, data.file_mesh.points.size()}};
-  data.origins.first = std::move(surface.first);
-  data.origins.file_vertices = std::move(surface.file_vertices);
-  std::vector<std::size_t> rows(data.origins.number_of_vertices()); // the first of those of the file
-  for (std::size_t v = 0; v < rows.size(); ++v) {
-    rows[v] = data.origins.file_vertices[data.origins.first[v]];
-    data.mesh.points.push_back(data.file_mesh.points[rows[v]]);
-  }
-  for (Spatio_temporal_field<FT>* field : {&data.x, &data.y, &data.z}) take_rows(rows, data.frames, *field);
 }
 
 } // namespace internal

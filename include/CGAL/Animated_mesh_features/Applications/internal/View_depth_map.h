@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -48,9 +47,8 @@ public:
     m_axes.row(1) = direction.cross(u).transpose().cast<float>();
     m_axes.row(2) = direction.transpose().cast<float>();
     m_axes *= m_scale;
-    const float most = (std::numeric_limits<float>::max)();
-    std::fill(m_high.begin(), m_high.end(), -most);
-    std::fill(m_low.begin(), m_low.end(), most);
+    std::fill(m_high.begin(), m_high.end(), -beyond);
+    std::fill(m_low.begin(), m_low.end(), beyond);
     m_projected.resize(points.size());
     for (std::size_t v = 0; v < points.size(); ++v) m_projected[v] = place(points[v]);
     for (const Triangle& t : triangles) draw(m_projected[t[0]], m_projected[t[1]], m_projected[t[2]]);
@@ -101,14 +99,17 @@ private:
       for (int x = left; x < right; ++x) {
         const float dx = float(x) + 0.5f - a[0];
         const float s = s_x * dx + s_y * dy, t = t_x * dx + t_y * dy;
-        if (!(s >= slack && t >= slack && s + t <= 1 - slack)) continue;
+        // Which of so few texels are inside no processor can guess: heights that never count are faster than a branch.
+        const float outside = (std::min)((std::min)(s, t), 1 - s - t) < slack ? beyond : 0.f;
         const float height = a[2] + s * bz + t * cz;
         const std::size_t i = std::size_t(y) * std::size_t(m_size) + std::size_t(x);
-        m_high[i] = (std::max)(m_high[i], height);
-        m_low[i] = (std::min)(m_low[i], height);
+        m_high[i] = (std::max)(m_high[i], height - outside);
+        m_low[i] = (std::min)(m_low[i], height + outside);
       }
     }
   }
+
+  static constexpr float beyond = 1e30f; // beyond all heights
 
   long m_size;
   float m_scale; // texels in a radius of the body

@@ -178,6 +178,8 @@ private:
       part.geometry = geometry;
       part.node = n;
       part.name = name;
+      part.mesh = mesh.name;
+      part.primitive = p;
       if (node.skin >= 0 && !m_model.geometries[geometry].first_influence.empty())
         part.skin = m_check.index(node.skin, m_model.skins.size(), name + ": skin");
       part.weights = !node.weights.empty() ? node.weights : mesh.weights;

@@ -41,9 +41,21 @@ public:
     m_mesh.points.clear();
     m_mesh.triangles.clear();
     m_mesh.remarks.clear();
+    m_mesh.groups.clear();
   }
 
   void remark(const std::string& sentence) { m_mesh.remarks.push_back(sentence); }
+
+  // The faces that follow are called so. Of frames that have the faces of a reference, nobody asks.
+  void begin_group(const std::vector<std::string>& names)
+  {
+    if (m_reference != nullptr) return;
+    std::vector<Indexed_mesh::Group>& groups = m_mesh.groups;
+    if (!groups.empty() && groups.back().first_triangle == m_mesh.triangles.size())
+      groups.back().names = names;
+    else
+      groups.push_back({names, m_mesh.triangles.size()});
+  }
 
   // `bytes`: the size of the file, so that a nonsensical header does not ask for all memory
   void reserve(std::size_t points, std::size_t faces, std::size_t bytes)
