@@ -67,8 +67,13 @@ SMS::edge_collapse(mesh, stop, parameters::get_cost(cost).get_placement(placemen
 The cost of an edge is the sum, over poses, of the least value that the quadrics of its ends take together (A. Mohr,
 M. Gleicher, Deformation sensitive decimation, 2003). A vertex takes the place of two by weights of vertices of the
 original, the same in all frames, for which the summed quadrics are least: so it has a place in every frame, pose or
-not, and in any other animation of the mesh. The filter looks at all frames and the rest shape: no triangle's normal
-turns by more than the options allow.
+not, and in any other animation of the mesh.
+
+The filter looks at all frames and the rest shape. It compares a triangle with the original around all that its corners
+have taken the place of, wherever that has a side, that is, the sum of its normals is at least half as long as its area:
+the triangle looks to that side, unless it looked away before, and its normal turns by no more than the options allow,
+unless it comes within 60 degrees of that side, or nearer to it than it was. Without the second exception meshes lock that
+crumple in some frame: what else is left is collapsed then, at any cost.
 
 The mesh is the only thing that \cgal changes; this object keeps what belongs to its vertices. Several calls of
 `edge_collapse()`, one after the other, go on where the last one stopped. Vertices that must stay are told to this
@@ -90,7 +95,7 @@ public:
   typedef Rest_shape::Index Index; ///< rank of a vertex
 
   /*!
-  computes the quadrics of all vertices, in parallel if oneTBB is there, in `O(N F)` time and `80 N P + 36 N (F + 1)`
+  computes the quadrics of all vertices, in parallel if oneTBB is there, in `O(N F)` time and `80 N P + 40 N (F + 1)`
   bytes for `P` poses.
 
   \param mesh is kept by reference; its points at rest are changed as vertices move.

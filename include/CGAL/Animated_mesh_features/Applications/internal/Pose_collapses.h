@@ -47,8 +47,8 @@ public:
   struct Collapse
   {
     Followed_vertices followed;
-    Turn_filter::Rows place;   // in all columns
-    Turn_filter::Rows normals; // of the original around what it stands for
+    Turn_filter::Rows place; // in all columns
+    Turn_filter::Side side;  // of the original around what it stands for
   };
 
   // `weight(v, pose)`: how much the surface around a vertex matters in a pose. `is_fixed`: `N` vertices that stay.
@@ -72,7 +72,7 @@ public:
     const Surface_quadrics surface(rest, m_original, settings.line_weight, settings.border_weight);
     loop(m_followed.size(), [&](std::size_t v) {
       for (std::size_t p = 0; p < poses; ++p) surface.add_to(m_quadrics, v, p, weight(v, p));
-      m_turns.set_normals(rest, m_original, v);
+      m_turns.set_side(rest, m_original, v);
     });
   }
 
@@ -118,13 +118,13 @@ public:
       }
       c.place[axis].assign(m_sum.begin(), m_sum.end());
     }
-    m_turns.add_normals(i, j, c.normals);
+    m_turns.add_sides(i, j, c.side);
   }
 
   // Whether the triangle of these vertices, of which the first moves, turns over in any column.
   bool turns(std::size_t moved, std::size_t b, std::size_t d, const Collapse& c) const
   {
-    return m_turns.turns(m_current, moved, b, d, c.place, c.normals);
+    return m_turns.turns(m_current, moved, b, d, c.place, c.side);
   }
 
   // where the new vertex is at rest, relative to the mean of all vertices
@@ -147,7 +147,7 @@ public:
     m_followed[removed] = Followed_vertices();
     for (std::size_t axis = 0; axis < 3; ++axis)
       std::copy(c.place[axis].begin(), c.place[axis].end(), m_current.row(kept, int(axis)));
-    m_turns.commit(kept, c.normals);
+    m_turns.commit(kept, c.side);
     if (is_fixed(removed)) m_is_fixed[kept] = 1;
     m_merged_into[removed] = Index(kept);
     m_stamps[kept] = ++m_stamp;
