@@ -101,6 +101,10 @@ void add_options(Option_groups& groups, Command_line& o)
                o.method.support = a.count();
                if (o.method.support == 0 || o.method.support > 64) a.refuse("is not from 1 to 64");
              });
+  method.add_switch(
+      "keep-seams", o.keep_seams,
+      "of a model in glTF: leave alone the vertices along which its texture is cut; a GLB then has texture "
+      "coordinates");
   Option_group& output = groups.add_group("Output");
   output.add("output,o", "BASE", "write each level: BASE.obj and BASE.pc2, or BASE-1.obj, BASE-2.obj ... of several",
              [&](const Argument& a) { o.base = a.text(); });
