@@ -10,6 +10,11 @@
 // simplification_pictures PICTURE.png                                       the running figure
 // simplification_pictures PICTURE.png MESH.obj CACHE.pc2 REST.obj UP_AXIS AZIMUTH
 
+// First, since what CGAL's simplification includes of boost::detail hides get() from boost::disjoint_sets with Clang.
+#include <CGAL/Animated_mesh_features/IO/read_animation.h>
+#include <CGAL/Animated_mesh_features/IO/read_mesh.h>
+#include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>
+
 #include "draw_surfaces.h"
 #include "figures_support.h"
 
@@ -19,9 +24,6 @@
 
 #include <CGAL/Animated_mesh_features/Applications/simplification_errors.h>
 #include <CGAL/Animated_mesh_features/Applications/simplify_animation.h>
-#include <CGAL/Animated_mesh_features/IO/read_animation.h>
-#include <CGAL/Animated_mesh_features/IO/read_mesh.h>
-#include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>
 
 #include <array>
 #include <cstdlib>
