@@ -123,7 +123,7 @@ int main(int argc, char* argv[])
     const Input input = argc == 2 ? running_figure() : read(argv[2], argv[3], argv[4]);
     Frame_sequence animation(input.mesh, input.frames, 1. / 30);
     animation.set_rest_shape(input.rest);
-    const Frame_sequence still(input.mesh, std::vector<std::vector<Point_3>>(1, input.rest), 1. / 30);
+    const Frame_sequence still(input.mesh, std::vector<std::vector<Point_3>>(3, input.rest), 1. / 30);
     const std::size_t n = animation.number_of_vertices(), left = n * 3 / 100;
     const Simplified at_rest(still, animation, left), in_all(animation, animation, left);
     const AMF::Simplification_error& worst = AMF::worst_frame(at_rest.errors);

@@ -314,7 +314,7 @@ void test_errors()
   CHECK(measured()[1].turned == 1 && measured()[1].turned_from_nearest == 1 && measured()[1].turned_in_original == 0);
   // corners that stand for all of a closed surface have no side
   const Shape ball = sphere(2);
-  const Animation b(ball, walking(ball.points, 2));
+  const Animation b(ball, walking(ball.points, 3));
   const std::vector<Amf::Rest_shape::Index> all_one(ball.points.size(), 0);
   by_corners.vertex_of = &all_one;
   const auto closed = Amf::simplification_errors(

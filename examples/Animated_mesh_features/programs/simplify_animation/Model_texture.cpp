@@ -119,8 +119,8 @@ Model_texture::Corners Model_texture::corners(const AMF::Animation_level& level)
       Place place = {{0, 0}};
       const auto row = level.binding.vertices(v);
       for (std::size_t i = 0; i < std::size_t(row.size()); ++i) {
-        const Place near = nearest(row[std::ptrdiff_t(i)], hint);
-        for (std::size_t k = 0; k < 2; ++k) place[k] += level.binding.weights(v)[std::ptrdiff_t(i)] * near[k];
+        const Place there = nearest(row[std::ptrdiff_t(i)], hint);
+        for (std::size_t k = 0; k < 2; ++k) place[k] += level.binding.weights(v)[std::ptrdiff_t(i)] * there[k];
       }
       const auto added = numbers.emplace(std::make_pair(v, place), result.vertices.size());
       if (added.second) {
