@@ -190,6 +190,7 @@ for k in range(0, len(corners), 3):
     us = [places[c][0] for c in corners[k:k + 3]]
     assert max(us) - min(us) < 0.5, us
 END
+  expect 2 "cut along 33" arm.glb --vertices 33 --keep-seams -o x
   expect 3 "no texture coordinates" coarse.glb --ratio 0.5 --keep-seams -o x
 fi
 expect 2 "--format glb" in.obj in.pc2 --ratio 0.5 --format glb -o x

@@ -222,6 +222,10 @@ void run(const Command_line& o)
   method.vertices = targets(o, sequence.rest_shape());
   const Source_model source = source_model(o, animation);
   if (source.texture) method.fixed_vertices = source.texture->seam_vertices();
+  if (method.vertices.back() <= method.fixed_vertices.size() && !o.error)
+    throw AMF::Option_error("--keep-seams: " + std::to_string(method.vertices.back()) +
+                            " vertices are wanted, but the texture is cut along " +
+                            std::to_string(method.fixed_vertices.size()) + ", which stay");
   AMF::Simplified_animation result;
   {
     Programs::Progress_bar bar(!o.running.quiet);
