@@ -9,6 +9,7 @@
 
 #include "animations.h"
 #include "benchmark_support.h"
+#include "best_triple.h"
 
 #include <CGAL/Animated_mesh_features/Applications/Area_view_score.h>
 #include <CGAL/Animated_mesh_features/Applications/Entropy_view_score.h>
@@ -82,7 +83,7 @@ double degrees(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 
 // -------------------------------------------------------------------------------------------------------- what is shown
 
-void add_shown(const Workload& w, Table& shown, Table& plain_table, Table& paths)
+void add_shown(const Workload& w, Table& shown, Table& plain_table, Table& triples, Table& paths)
 {
   const auto sequence = w.sequence<double>();
   const std::vector<Feature> features = features_of(*sequence);
@@ -125,6 +126,16 @@ void add_shown(const Workload& w, Table& shown, Table& plain_table, Table& paths
   const Amf::Rest_shape& shape = sequence->rest_shape();
   add(Amf::Feature_view_score(shape, frames, n, step, features), 4, shown);
   add(Amf::Feature_view_score(shape, frames, n, step, features, 0), 3, plain_table);
+
+  // what three views could show
+  for (const double full_cosine : {0.5, 0.}) {
+    const Amf::View_scores some =
+        Amf::score_views(*sequence, frames, chosen.scores.directions(),
+                         Amf::Feature_view_score(shape, frames, n, step, features, full_cosine));
+    const std::vector<Amf::Covering_view> views = Amf::covering_views(some, 3);
+    triples.add(w.name, full_cosine, percent(some.score(views.front().rank)), percent(views.back().covered),
+                percent(best_triple(some, views.back().covered)), percent(shown_by_all(some)));
+  }
 
   // the choice, in all frames
   const std::vector<std::size_t> every = Amf::even_frames(n, n);
@@ -256,15 +267,20 @@ int main(int argc, char* argv[])
   return run("viewpoints", argc, argv, [](const Arguments& a, Report& report) {
     const std::vector<std::string> columns = {"animation", "features",    "chosen",  "best", "median", "worst",
                                               "x median",  "three views", "entropy", "area", "front",  "seconds"};
-    Table shown(
-        "What views show of the features",
-        "Per cent of the amplitude, of regions turned away by up to 60 degrees as a whole. Chosen: by "
-        "select_views(), of 162 directions and refinement, in so many seconds on all threads; best, median and "
-        "worst of 2,562 directions; three views: chosen ones together; and what the best view by entropy, by "
-        "area and that from the front show.",
-        columns);
+    Table shown("What views show of the features",
+                "Per cent of the amplitude, of regions turned away by up to 60 degrees as a whole. Chosen: by "
+                "select_views(), of 162 directions and refinement, in so many seconds on all threads; best, median and "
+                "worst of 2,562 directions; three views: chosen ones together; and what the best view by entropy, by "
+                "area and that from the front show.",
+                columns);
     Table plain("What views show of the features, however much it is turned away",
                 "The same, of what is not hidden; best, median and worst of 642 directions.", columns);
+    Table triples(
+        "Three views together",
+        "Per cent of the amplitude that the best view shows, the three of covering_views(), the best three of "
+        "all triples of the directions that were scored, and all of these directions; regions seen as a whole "
+        "from a cosine of 0.5, and of 0, that is wherever they are not hidden.",
+        {"animation", "cosine", "one", "three", "best three", "all directions"});
     Table paths(
         "Cameras that move",
         "Per cent of the amplitude: the chosen view, in its frames and in all; a still camera of 162 directions, "
@@ -300,11 +316,11 @@ int main(int argc, char* argv[])
     }
     if (workloads.empty() || has_horse(a)) workloads.push_back(figure(a.quick ? 1500 : 9000, 48));
     for (const Workload& w : workloads) {
-      add_shown(w, shown, plain, paths);
+      add_shown(w, shown, plain, triples, paths);
       shown.print(std::cerr); // it takes long
     }
     add_visibility(workloads.front(), visibility);
     add_twins(a, twins);
-    for (const Table* t : {&shown, &plain, &paths, &visibility, &twins}) report.add(*t);
+    for (const Table* t : {&shown, &plain, &triples, &paths, &visibility, &twins}) report.add(*t);
   });
 }

@@ -9,17 +9,13 @@
 //
 // body_pictures FOLDER
 
+#include "draw_surfaces.h"
 #include "figures_support.h"
 
 #include "generators/articulated_figure.h"
 
-#include "drawing/Canvas.h"
-#include "drawing/Legend.h"
 #include "drawing/decimal.h"
-#include "rendering/Contact_sheet.h"
 #include "rendering/Palette.h"
-#include "rendering/Panel_cameras.h"
-#include "rendering/render.h"
 
 #include <CGAL/Animated_mesh_features/Animation/Canonical_shape.h>
 #include <CGAL/Animated_mesh_features/Deformation/Deformation_measurement.h>
@@ -30,9 +26,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
-#include <fstream>
 #include <iostream>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -66,8 +60,7 @@ std::vector<double> column(const Field& field, std::size_t frame, double factor 
 void draw(const std::string& path, const Animated_mesh_generators::Generated_animation& animation,
           const std::vector<Body>& bodies, double most, const std::string& name)
 {
-  std::vector<Surface> surfaces;
-  double ground = 0;
+  std::vector<Labelled_surface> surfaces;
   for (const Body& body : bodies) {
     Surface s;
     for (const Point_3& p : animation.frames[body.frame]) s.points.emplace_back(p.x(), p.y(), p.z());
@@ -80,44 +73,13 @@ void draw(const std::string& path, const Animated_mesh_generators::Generated_ani
     }
     s.normals = vertex_normals(s.points, s.triangles);
     for (double x : body.values) s.values.push_back(float(x / most));
-    for (const Eigen::Vector3d& p : s.points) ground = (std::min)(ground, p.z());
-    surfaces.push_back(s);
+    surfaces.push_back({body.label, s});
   }
   View_direction view;
   view.up_axis = 2;
   view.azimuth = 60;
   view.elevation = 10;
-  const Panel_cameras cameras(surfaces, std::vector<std::vector<Sphere>>(bodies.size()), view);
-  const std::size_t width = 1280, height = 480;
-  const double text = 11;
-  const std::size_t legend_top = height - 44;
-  Srgb_image picture(width, height, {{255, 255, 255}});
-  const std::vector<Panel> all = panels(bodies.size(), width, legend_top, cameras.aspect());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const Panel& panel = all[i];
-    Stage_set set;
-    set.up = view.up();
-    set.ground = ground;
-    const double w = double(panel.width), h = double(panel.height);
-    const Image image = render(surfaces[i], cameras.camera(i, w, h, w - 20, h - 60), set);
-    for (std::size_t y = 0; y < panel.height; ++y)
-      for (std::size_t x = 0; x < panel.width; ++x) picture(panel.left + x, panel.top + y) = encoded(image(x, y));
-  }
-  Canvas canvas(picture);
-  Text_style style;
-  style.size = text / capital_height;
-  style.colour = ink_on(Colour::Ones());
-  style.anchor = 0.5;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    canvas.text(double(all[i].left) + double(all[i].width) / 2, double(all[i].top) + 2 * text, bodies[i].label, style);
-  style.anchor = 0;
-  draw_legend(canvas, {{name, "0", "\xe2\x89\xa5 " + rounded(most, 2), &field_colours()}}, double(width),
-              double(legend_top), double(height - legend_top), style);
-
-  std::ofstream out(path, std::ios::binary);
-  const std::string png = canvas.file();
-  out.write(png.data(), std::streamsize(png.size()));
-  if (!out) throw std::runtime_error("cannot write " + path);
+  draw_surfaces(path, surfaces, view, 480, {{name, "0", "\xe2\x89\xa5 " + rounded(most, 2), &field_colours()}});
 }
 
 // What 99.5 % of the values do not exceed, to two digits.

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Runs the programs from which the figures are made, and draws them: the last step of the target `figures`.
 #
-# draw.sh PROGRAMS FIGURE_PROGRAMS FIGURES: the folders of detect_features and make_animation, of scale_data, measure_data and
-# body_pictures, and of what is written.
+# draw.sh PROGRAMS FIGURE_PROGRAMS FIGURES: the folders of detect_features and make_animation, of scale_data, measure_data,
+# body_pictures and simplification_pictures, and of what is written.
 
 set -euo pipefail
 
@@ -61,6 +61,7 @@ say "numbers and pictures"
 "$figure_programs/scale_data" "$data"
 "$figure_programs/measure_data" "$data"
 "$figure_programs/body_pictures" "$figures"
+"$figure_programs/simplification_pictures" "$figures/simplification.png"
 
 say "drawings"
 PYTHONDONTWRITEBYTECODE=1 python3 "$here/draw_figures.py" "$data" "$figures"

@@ -19,6 +19,8 @@
 #endif
 
 #include <algorithm>
+#include <map>
+#include <numeric>
 #include <set>
 
 using namespace test_support;
@@ -67,12 +69,15 @@ Amf::Simplified_animation simplified(const Animation& a, const Options& o)
   return Amf::simplify_animation(a.sequence, o);
 }
 
-std::vector<Amf::Simplification_error> errors(const Animation& a, const Amf::Animation_level& level)
+std::vector<Amf::Simplification_error> errors(const Animation& a, const Amf::Animation_level& level,
+                                              bool by_corners = false)
 {
+  Amf::Simplification_error_options o;
+  if (by_corners) o.vertex_of = &level.vertex_of;
   return Amf::simplification_errors(
       a.sequence.rest_shape(), a.sequence.trajectories(), level.triangles,
       level.binding.positions(a.sequence.rest_shape().points()),
-      [&](std::size_t f) { return level.binding.positions(a.sequence.trajectories().frame(f)); });
+      [&](std::size_t f) { return level.binding.positions(a.sequence.trajectories().frame(f)); }, o);
 }
 
 // A torus about the z axis.
@@ -174,6 +179,7 @@ void test_binding()
   m << 1, .5, 0, -.3, 2, .1, 0, .4, -1;
   const Points moved = mapped(s.points, [&](const Vec& p) { return Vec(m * p + Vec(3, 4, 5)); });
   const std::vector<std::size_t> sizes = {513, 100, 20};
+  bool all_come_from_theirs = true;
   for (std::size_t k = 0; k < 3; ++k) {
     const Amf::Animation_level& level = result.levels[k];
     CHECK(level.binding.size() == sizes[k]);
@@ -191,6 +197,12 @@ void test_binding()
     CHECK(most < 1e-11);
     CHECK(support <= 8 && support > 1);
     CHECK(level.vertex_of.size() == s.points.size());
+    CHECK(level.triangle_of.size() == level.triangles.size());
+    for (std::size_t t = 0; t < level.triangles.size(); ++t) {
+      std::set<std::size_t> corners(level.triangles[t].begin(), level.triangles[t].end()), from;
+      for (std::size_t u : a.sequence.rest_shape().triangles()[level.triangle_of[t]]) from.insert(level.vertex_of[u]);
+      all_come_from_theirs = all_come_from_theirs && corners == from;
+    }
     std::set<std::size_t> used(level.vertex_of.begin(), level.vertex_of.end());
     CHECK(used.size() == sizes[k] && *used.rbegin() == sizes[k] - 1);
     if (k == 0) continue;
@@ -203,6 +215,7 @@ void test_binding()
     }
     CHECK(is_nested);
   }
+  CHECK(all_come_from_theirs);
   // Coarser is worse, and neither is bad: the sagitta of 100 vertices on a sphere is about 1 / 30 of its radius.
   const double fine = Amf::worst_frame(errors(a, result.levels[0])).mean(),
                coarse = Amf::worst_frame(errors(a, result.levels[1])).mean();
@@ -229,6 +242,8 @@ void test_topology()
     const long euler = long(level.binding.size()) - long(edges.size() / 2) + long(level.triangles.size());
     CHECK(euler == 2); // two tori and a sphere
   }
+  for (const Amf::Animation_level& level : result.levels)
+    for (const auto& e : errors(a, level, true)) CHECK(e.turned == 0 && e.turned_in_original == 0);
   for (const auto& e : errors(a, result.levels[0])) CHECK(e.turned == 0);
 }
 
@@ -285,6 +300,28 @@ void test_errors()
   CHECK_NEAR(e[2].mean_in_regions, 2 * h, 1e-12);
   CHECK(e[2].share_in_regions > .35 && e[2].share_in_regions < .55);
   CHECK(Amf::worst_frame(e).frame == 2);
+  // one triangle that is turned over; the corners tell, and what is nearest
+  std::vector<Amf::Rest_shape::Index> itself(s.points.size());
+  std::iota(itself.begin(), itself.end(), Amf::Rest_shape::Index(0));
+  Amf::Simplification_error_options by_corners;
+  by_corners.vertex_of = &itself;
+  const auto measured = [&] {
+    return Amf::simplification_errors(a.sequence.rest_shape(), a.sequence.trajectories(), triangles, s.points, lifted,
+                                      by_corners);
+  };
+  CHECK(measured()[1].turned == 0);
+  std::swap(triangles[9][1], triangles[9][2]);
+  CHECK(measured()[1].turned == 1 && measured()[1].turned_from_nearest == 1 && measured()[1].turned_in_original == 0);
+  // corners that stand for all of a closed surface have no side
+  const Shape ball = sphere(2);
+  const Animation b(ball, walking(ball.points, 3));
+  const std::vector<Amf::Rest_shape::Index> all_one(ball.points.size(), 0);
+  by_corners.vertex_of = &all_one;
+  const auto closed = Amf::simplification_errors(
+      b.sequence.rest_shape(), b.sequence.trajectories(), {{{0, 0, 0}}}, {Vec(0, 0, 0)},
+      [](std::size_t) { return Points{Vec(0, 0, 0)}; }, by_corners);
+  CHECK(closed[0].turned == 0);
+  std::swap(triangles[9][1], triangles[9][2]);
   for (auto& t : triangles) std::swap(t[1], t[2]);
   const auto turned =
       Amf::simplification_errors(a.sequence.rest_shape(), a.sequence.trajectories(), triangles, s.points, lifted);

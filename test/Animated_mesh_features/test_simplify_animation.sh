@@ -91,19 +91,21 @@ head -c 3 frames/frame_0008.ply | grep -qF ply || fail "no PLY"
 python3 - <<'END'
 import json, math, struct
 around, rings, length = 16, 33, 4.0
-points, joints, weights, triangles = [], [], [], []
+columns = around + 1  # the texture is cut where the last one meets the first
+points, joints, weights, triangles, texture = [], [], [], [], []
 for k in range(rings):
-    for i in range(around):
-        a, z = 2 * math.pi * i / around, length * k / (rings - 1)
+    for i in range(columns):
+        a, z = 2 * math.pi * (i % around) / around, length * k / (rings - 1)
         points += [math.cos(a) / 2, math.sin(a) / 2, z]
+        texture += [i / around, k / (rings - 1)]
         w = min(1, max(0, (z - 1.5)))
         joints += [0, 1, 0, 0]
         weights += [1 - w, w, 0, 0]
 for k in range(rings - 1):
     for i in range(around):
-        a, b = k * around + i, k * around + (i + 1) % around
-        triangles += [a, b, a + around, b, b + around, a + around]
-n = around * rings
+        a = k * columns + i
+        triangles += [a, a + 1, a + columns, a + 1, a + 1 + columns, a + columns]
+n = columns * rings
 identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
 shifted = identity[:14] + [-2, 1]
 keys = 9
@@ -111,7 +113,7 @@ turns = [x for k in range(keys) for x in (math.sin(0.6 * k / (keys - 1)), 0, 0, 
 parts = [("<%df" % (3 * n), points, 5126, "VEC3", n), ("<%dH" % (4 * n), joints, 5123, "VEC4", n),
          ("<%df" % (4 * n), weights, 5126, "VEC4", n), ("<%dI" % len(triangles), triangles, 5125, "SCALAR", len(triangles)),
          ("<32f", identity + shifted, 5126, "MAT4", 2), ("<%df" % keys, [k / 10 for k in range(keys)], 5126, "SCALAR", keys),
-         ("<%df" % (4 * keys), turns, 5126, "VEC4", keys)]
+         ("<%df" % (4 * keys), turns, 5126, "VEC4", keys), ("<%df" % (2 * n), texture, 5126, "VEC2", n)]
 data, views, accessors = b"", [], []
 for form, values, kind, shape, count in parts:
     bytes_ = struct.pack(form, *values)
@@ -122,7 +124,7 @@ accessors[0].update(min=[-.5, -.5, 0], max=[.5, .5, length])
 accessors[5].update(min=[0], max=[(keys - 1) / 10])
 gltf = dict(asset=dict(version="2.0"), scene=0, scenes=[dict(nodes=[0, 2])],
             nodes=[dict(name="root", children=[1]), dict(name="elbow", translation=[0, 0, 2]), dict(mesh=0, skin=0)],
-            meshes=[dict(primitives=[dict(attributes=dict(POSITION=0, JOINTS_0=1, WEIGHTS_0=2), indices=3)])],
+            meshes=[dict(primitives=[dict(attributes=dict(POSITION=0, JOINTS_0=1, WEIGHTS_0=2, TEXCOORD_0=7), indices=3)])],
             skins=[dict(joints=[0, 1], inverseBindMatrices=4)],
             animations=[dict(name="bend", samplers=[dict(input=5, output=6)],
                              channels=[dict(sampler=0, target=dict(node=1, path="rotation"))])],
@@ -163,8 +165,36 @@ data = open("coarse.glb", "rb").read()
 gltf = json.loads(data[20:20 + struct.unpack_from("<I", data, 12)[0]])
 assert gltf["animations"][0]["name"] == "bend" and gltf["nodes"][1]["name"] == "elbow"
 END
+  # The seam stays, and no triangle is drawn across the texture.
+  expect 0 "" arm.glb --ratio 0.2 --keep-seams -o seam --format glb
+  python3 - <<'END' || fail "--keep-seams"
+import json, math, struct
+data = open("seam.glb", "rb").read()
+size = struct.unpack_from("<I", data, 12)[0]
+gltf, binary = json.loads(data[20:20 + size]), 28 + size
+def read(i):
+    a = gltf["accessors"][i]
+    start = binary + gltf["bufferViews"][a["bufferView"]].get("byteOffset", 0) + a.get("byteOffset", 0)
+    width, letter = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}[a["type"]], {5126: "f", 5125: "I"}[a["componentType"]]
+    values = struct.unpack_from("<%d%s" % (width * a["count"], letter), data, start)
+    return [values[k:k + width] for k in range(0, len(values), width)]
+primitive = gltf["meshes"][0]["primitives"][0]
+points, places = read(primitive["attributes"]["POSITION"]), read(primitive["attributes"]["TEXCOORD_0"])
+corners = [i for i, in read(primitive["indices"])]
+assert len(points) == len(places) and 106 + 30 < len(points) < 106 + 40, len(points)
+for (x, y, z), (u, v) in zip(points, places):
+    far = u - math.atan2(y, x) / (2 * math.pi)
+    assert abs(far - round(far)) < 0.02 and abs(v - z / 4) < 0.02, (x, y, z, u, v)
+assert sum(u == 0 for u, v in places) == sum(u == 1 for u, v in places) == 33
+for k in range(0, len(corners), 3):
+    us = [places[c][0] for c in corners[k:k + 3]]
+    assert max(us) - min(us) < 0.5, us
+END
+  expect 2 "cut along 33" arm.glb --vertices 33 --keep-seams -o x
+  expect 3 "no texture coordinates" coarse.glb --ratio 0.5 --keep-seams -o x
 fi
-expect 2 "glb" in.obj in.pc2 --ratio 0.5 --format glb -o x
+expect 2 "--format glb" in.obj in.pc2 --ratio 0.5 --format glb -o x
+expect 2 "--keep-seams" in.obj in.pc2 --ratio 0.5 --keep-seams -o x
 
 expect 0 "" --help
 grep -qF "Exit codes" out || fail "--help"

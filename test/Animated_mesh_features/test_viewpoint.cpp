@@ -342,6 +342,19 @@ void test_features()
   CHECK_NEAR(pair.views[1].covered, 1, 0.01);
   CHECK_NEAR(pair.scores.covered({pair.views[0].rank, pair.views[1].rank}), pair.views[1].covered, 1e-12);
 
+  // Of two that are as good, the one nearer to the front comes first, whichever has a little more: here z points up.
+  const Vec front(0, -1, 0);
+  for (double more : {1.04, 1 / 1.04}) {
+    const std::vector<Feature_point> alike = {feature(nearest_vertex(shape, front), 0.2, more),
+                                              feature(nearest_vertex(shape, Vec(-front)), 0.2)};
+    View_options upright = options;
+    upright.up = Vec(0, 0, 1);
+    upright.tie = 0.1;
+    CHECK(select_views(*a.sequence, alike, upright).views[0].direction.dot(front) > 0);
+    upright.tie = 0;
+    CHECK((select_views(*a.sequence, alike, upright).views[0].direction.dot(front) > 0) == (more > 1));
+  }
+
   // A plate before the feature: looked at from beside it.
   Shape hidden = shape;
   hidden.add(plate(1.5 * place, place, 0.5, 8));
@@ -465,8 +478,19 @@ void test_covering()
       for (std::size_t j = 0; j < i; ++j) best_pair = (std::max)(best_pair, s.covered({i, j}));
     }
     CHECK_NEAR(views[0].score, best, 1e-12);
-    CHECK_NEAR(views[1].covered, best_added, 1e-12);
-    CHECK(views[1].covered >= (1 - std::exp(-1.)) * best_pair && views[1].covered <= best_pair + 1e-12);
+    const std::vector<Covering_view> two = covering_views(s, 2);
+    CHECK_NEAR(two[1].covered, best_added, 1e-12);
+    CHECK(two[1].covered >= (1 - std::exp(-1.)) * best_pair && two[1].covered <= best_pair + 1e-12);
+    // no other third view, nor second one, shows more; both in the order of what they add
+    double third = 0, exchanged = 0;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+      third = (std::max)(third, s.covered({two[0].rank, two[1].rank, i}));
+      exchanged = (std::max)(
+          {exchanged, s.covered({views[0].rank, views[1].rank, i}), s.covered({views[0].rank, i, views[2].rank})});
+    }
+    CHECK(views[0].rank == two[0].rank && views[2].covered >= third - 1e-12);
+    CHECK_NEAR(views[2].covered, exchanged, 1e-8);
+    CHECK(views[1].covered >= s.covered({views[0].rank, views[2].rank}));
   }
   // nobody adds anything to the first one
   Target_score one;
@@ -596,6 +620,9 @@ void test_errors()
   options.up.reset();
   options.lowest_elevation = 50, options.highest_elevation = 40;
   CHECK_THROWS(Option_error, select_views(*a.sequence, one, options), "no elevation from");
+  options = View_options();
+  options.tie = -1;
+  CHECK_THROWS(Option_error, select_views(*a.sequence, one, options), "a tie of");
   Impatient visitor;
   CHECK_THROWS(Cancelled, select_views(*a.sequence, one, View_options(), visitor), "cancelled");
 }

@@ -111,6 +111,10 @@ void add_simplification_options(Option_group& method, Command_line& o)
                o.method.support = a.count();
                if (o.method.support == 0 || o.method.support > 64) a.refuse("is not from 1 to 64");
              });
+  method.add_switch(
+      "keep-seams", o.keep_seams,
+      "of a model in glTF: leave alone the vertices along which its texture is cut; a GLB then has texture "
+      "coordinates");
 }
 
 namespace {

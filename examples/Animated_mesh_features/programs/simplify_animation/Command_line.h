@@ -50,6 +50,7 @@ struct Command_line
 
   std::string base; // of the files that are written; empty: none
   Form form = Form::OBJ;
+  bool keep_seams = false;
   std::string json, plot, binding; // files; empty: none
 
   bool measures() const { return !json.empty() || !plot.empty() || error || !running.quiet; }

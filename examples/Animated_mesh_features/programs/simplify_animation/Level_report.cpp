@@ -111,7 +111,8 @@ nlohmann::ordered_json json_of(const Level_report& report)
               {"worst_mean", unit * worst.mean()},
               {"hausdorff", unit * most_of(level, [](const Error& e) { return e.hausdorff(); })},
               {"normal_angle_deg", mean_of(level, [](const Error& e) { return e.normal_angle; })},
-              {"turned", std::size_t(most_of(level, [](const Error& e) { return e.turned; }))}};
+              {"turned", std::size_t(most_of(level, [](const Error& e) { return e.turned; }))},
+              {"turned_in_original", std::size_t(most_of(level, [](const Error& e) { return e.turned_in_original; }))}};
     if (report.has_regions) {
       l["mean_in_features"] = unit * mean_in_regions(level);
       l["mean_elsewhere"] = unit * mean_elsewhere(level);
@@ -124,7 +125,8 @@ nlohmann::ordered_json json_of(const Level_report& report)
                 {"max_to_original", unit * e.max_to_original},
                 {"max_to_coarse", unit * e.max_to_coarse},
                 {"normal_angle_deg", e.normal_angle},
-                {"turned", e.turned}};
+                {"turned", e.turned},
+                {"turned_in_original", e.turned_in_original}};
       if (report.has_regions) {
         f["mean_in_features"] = unit * e.mean_in_regions;
         f["mean_elsewhere"] = unit * e.mean_elsewhere;

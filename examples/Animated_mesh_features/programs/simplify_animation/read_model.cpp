@@ -17,20 +17,19 @@ namespace AMF = CGAL::Animated_mesh_features;
 
 namespace Simplify_animation {
 
-void check_is_model(const Programs::Reading_options& o)
+void check_is_model(const Programs::Reading_options& o, const std::string& option)
 {
   if (Programs::model_format(o.inputs) != Programs::Model_format::GLTF)
-    throw AMF::Option_error("--format glb: the input is no animated model in glTF, whose skeleton could be kept");
+    throw AMF::Option_error(option + ": the input is no animated model in glTF");
 }
 
 AMF::IO::Keyframed_model read_model(const Programs::Reading_options& o)
 {
-  check_is_model(o);
 #ifdef ANIMATED_MESH_FEATURES_WITH_GLTF
   return AMF::IO::read_gltf(o.inputs.front(),
                             o.allow_outside ? AMF::IO::Linked_files::ANYWHERE : AMF::IO::Linked_files::BESIDE_MODEL);
 #else
-  throw AMF::Option_error("--format glb: this program was built without what reads glTF");
+  throw AMF::Option_error("this program was built without what reads glTF");
 #endif
 }
 

@@ -11,10 +11,13 @@
 
 #include <CGAL/Animated_mesh_features/IO/Keyframed_model.h>
 
+#include <string>
+
 namespace Simplify_animation {
 
 // throws Option_error if the input is no animated model in glTF.
-void check_is_model(const Programs::Reading_options& options);
+// throws Option_error, which says that `option` needs one.
+void check_is_model(const Programs::Reading_options& options, const std::string& option);
 
 // The model of which the animation was made.
 // throws Option_error if it is none in glTF, or the program was built without what reads it; Input_error.

@@ -19,6 +19,7 @@
 #include "running/tell.h"
 #include "simplify_animation/Level_report.h"
 #include "simplify_animation/Measurement.h"
+#include "simplify_animation/Source_model.h"
 #include "simplify_animation/read_model.h"
 #include "simplify_animation/simplify.h"
 #include "simplify_animation/wanted_levels.h"
@@ -52,6 +53,22 @@ Features read_features(const std::string& path, const Programs::Animation& anima
   return file.features();
 }
 
+Source_model source_model(const Command_line& o, const Programs::Animation& animation)
+{
+  Source_model source;
+  if (o.form != Form::GLB && !o.keep_seams) return source;
+  source.model = read_model(o.reading);
+  if (!o.keep_seams) return source;
+  const auto& parts = source.model->parts;
+  if (std::none_of(parts.begin(), parts.end(), [&](const AMF::IO::Keyframed_model::Part& part) {
+        return !source.model->geometries[part.geometry].texture_coordinates.empty();
+      }))
+    throw AMF::Input_error(o.reading.inputs.front() +
+                           ": has no texture coordinates, of which --keep-seams keeps seams");
+  source.texture.emplace(*source.model, animation.origins(), animation.sequence().rest_shape());
+  return source;
+}
+
 void tell_reading(const Command_line& o, const Programs::Animation& animation)
 {
   if (o.running.quiet) return;
@@ -69,7 +86,8 @@ void tell_what_is_left(const Command_line& o, const std::vector<std::size_t>& wa
       Programs::tell(
           "simplify_animation: " + std::to_string(result.levels[i].binding.size()) + " vertices are left where " +
           std::to_string(wanted[i]) +
-          " were wanted: no other edge can be collapsed without turning triangles over or changing the topology\n");
+          " were wanted: no other edge can be collapsed without turning triangles over or changing the topology" +
+          (o.keep_seams ? ", or seams" : "") + "\n");
 }
 
 // All are complete before one takes its place.
@@ -130,7 +148,8 @@ void run(const Command_line& o)
 {
   const std::size_t levels = o.error ? 1 : (std::max)(o.vertices.size(), o.ratios.size());
   Programs::check_outputs(all_outputs(o, levels), all_inputs(o));
-  if (o.form == Form::GLB) check_is_model(o.reading);
+  if (o.form == Form::GLB) check_is_model(o.reading, "--format glb");
+  if (o.keep_seams) check_is_model(o.reading, "--keep-seams");
   const Programs::Thread_limit threads(o.running.threads);
   const Programs::Interruption interruption;
   const Programs::Animation animation(o.reading, [](std::size_t, std::size_t) { return AMF::Field_memory::heap(); });
@@ -140,6 +159,12 @@ void run(const Command_line& o)
 
   AMF::Simplification_options method = o.method;
   method.vertices = wanted_levels(o, sequence.rest_shape());
+  const Source_model source = source_model(o, animation);
+  if (source.texture) method.fixed_vertices = source.texture->seam_vertices();
+  if (method.vertices.back() <= method.fixed_vertices.size() && !o.error)
+    throw AMF::Option_error("--keep-seams: " + std::to_string(method.vertices.back()) +
+                            " vertices are wanted, but the texture is cut along " +
+                            std::to_string(method.fixed_vertices.size()) + ", which stay");
   AMF::Simplified_animation result;
   {
     Programs::Progress_bar bar(!o.running.quiet);
@@ -159,7 +184,7 @@ void run(const Command_line& o)
   }
   Programs::Interruption::check();
   Reports reports(o, report, result);
-  write_levels(o, sequence, animation.origins(), result);
+  write_levels(o, sequence, animation.origins(), source, result);
   reports.commit();
   const bool is_taken = o.json == "-" || o.plot == "-" || o.binding == "-"; // the standard output
   if (!o.running.quiet && !is_taken) std::cout << Programs::terminal_text(text_of(report)) << std::flush;

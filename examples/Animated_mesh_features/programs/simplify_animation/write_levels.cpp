@@ -8,7 +8,6 @@
 
 #include "running/Interruption.h"
 #include "scenes/append_little_endian.h"
-#include "simplify_animation/read_model.h"
 #include "simplify_animation/write_model.h"
 
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
@@ -134,19 +133,19 @@ std::vector<std::string> level_files(const Command_line& o, std::size_t levels)
 }
 
 void write_levels(const Command_line& o, const Programs::Sequence& sequence, const IO::Vertex_origins& origins,
-                  const AMF::Simplified_animation& result)
+                  const Source_model& source, const AMF::Simplified_animation& result)
 {
   if (o.base.empty()) return;
   const std::vector<std::string> bases = level_bases(o, result.levels.size());
   const std::size_t frames = sequence.number_of_frames();
-  const IO::Keyframed_model model = o.form == Form::GLB ? read_model(o.reading) : IO::Keyframed_model();
   std::vector<std::unique_ptr<IO::Output_file>> files;
   std::vector<std::unique_ptr<IO::Output_folder>> folders;
   for (std::size_t i = 0; i < bases.size(); ++i) {
     const AMF::Animation_level& level = result.levels[i];
     if (o.form == Form::GLB) {
       files.push_back(std::make_unique<IO::Output_file>(bases[i] + ".glb"));
-      write_model(files.back()->stream(), model, origins, level, o.reading.inputs.front());
+      write_model(files.back()->stream(), *source.model, origins, level, source.texture ? &*source.texture : nullptr,
+                  o.reading.inputs.front());
       finish(*files.back());
       continue;
     }

@@ -9,6 +9,7 @@
 
 #include "reading/Sequence.h"
 #include "simplify_animation/Command_line.h"
+#include "simplify_animation/Source_model.h"
 
 #include <CGAL/Animated_mesh_features/Applications/Simplified_animation.h>
 #include <CGAL/Animated_mesh_features/IO/Vertex_origins.h>
@@ -27,7 +28,7 @@ std::vector<std::string> level_files(const Command_line& options, std::size_t le
 // Writes all levels: complete, down to the last byte, before one file takes its place.
 // throws Output_error, and Input_error if a further animation is not of the mesh, or a model cannot be written.
 void write_levels(const Command_line& options, const Programs::Sequence& sequence,
-                  const CGAL::Animated_mesh_features::IO::Vertex_origins& origins,
+                  const CGAL::Animated_mesh_features::IO::Vertex_origins& origins, const Source_model& source,
                   const CGAL::Animated_mesh_features::Simplified_animation& result);
 
 // which vertices each vertex follows

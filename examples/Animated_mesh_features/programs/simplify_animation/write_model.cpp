@@ -14,6 +14,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -41,7 +42,9 @@ public:
     for (const Model::Part& part : model.parts) {
       const Model::Geometry& geometry = model.geometries[part.geometry];
       if (!geometry.targets.empty())
-        throw AMF::Input_error(name + ": has morph targets, which a simplified model would lose");
+        throw AMF::Input_error(name + ": " + part.name + " has " + std::to_string(geometry.targets.size()) +
+                               (geometry.targets.size() == 1 ? " morph target" : " morph targets") +
+                               ", which a simplified model would lose; --format obj keeps what they move");
       std::vector<std::size_t> joints;
       if (part.skin == Model::none) {
         joints.push_back(joint(part.node, identity));
@@ -116,9 +119,9 @@ struct Skinned_vertices
   std::vector<std::uint16_t> joints;
 
   Skinned_vertices(const Joined_skin& skin, const IO::Vertex_origins& origins, const AMF::Animation_level& level,
-                   const std::string& name)
+                   const std::vector<std::size_t>& drawn, const std::string& name)
   {
-    for (std::size_t v = 0; v < level.binding.size(); ++v) {
+    for (std::size_t v : drawn) {
       Model::Vector point = {{0, 0, 0}};
       std::map<std::size_t, double> sums;
       const auto row = level.binding.vertices(v);
@@ -155,6 +158,14 @@ private:
     for (double x : point) points.push_back(float(x));
   }
 };
+
+Model_texture::Corners without_texture(const AMF::Animation_level& level)
+{
+  Model_texture::Corners corners;
+  for (std::size_t v = 0; v < level.binding.size(); ++v) corners.vertices.push_back(v);
+  for (const AMF::Rest_shape::Triangle& t : level.triangles) corners.triangles.push_back({{t[0], t[1], t[2]}});
+  return corners;
+}
 
 std::vector<float> floats(const std::vector<double>& values)
 {
@@ -219,10 +230,11 @@ void put(std::ostream& os, std::size_t number)
 } // namespace
 
 void write_model(std::ostream& os, const Model& model, const IO::Vertex_origins& origins,
-                 const AMF::Animation_level& level, const std::string& name)
+                 const AMF::Animation_level& level, const Model_texture* texture, const std::string& name)
 {
   const Joined_skin skin(model, name);
-  const Skinned_vertices vertices(skin, origins, level, name);
+  const Model_texture::Corners drawn = texture != nullptr ? texture->corners(level) : without_texture(level);
+  const Skinned_vertices vertices(skin, origins, level, drawn.vertices, name);
   Programs::Gltf_buffer buffer;
   Json gltf = {{"asset", {{"version", "2.0"}, {"generator", "simplify_animation"}}}, {"scene", 0}};
   buffer.begin_view(Programs::Gltf_buffer::VERTICES);
@@ -231,8 +243,15 @@ void write_model(std::ostream& os, const Model& model, const IO::Vertex_origins&
   attributes["JOINTS_0"] = buffer.add(vertices.joints, 4);
   buffer.begin_view(Programs::Gltf_buffer::VERTICES);
   attributes["WEIGHTS_0"] = buffer.add(vertices.weights, 4);
+  if (!drawn.places.empty()) {
+    std::vector<float> places;
+    for (const Model_texture::Place& p : drawn.places) places.insert(places.end(), {float(p[0]), float(p[1])});
+    buffer.begin_view(Programs::Gltf_buffer::VERTICES);
+    attributes["TEXCOORD_0"] = buffer.add(places, 2);
+  }
   std::vector<std::uint32_t> corners;
-  for (const AMF::Rest_shape::Triangle& t : level.triangles) corners.insert(corners.end(), t.begin(), t.end());
+  for (const std::array<std::size_t, 3>& t : drawn.triangles)
+    for (std::size_t v : t) corners.push_back(std::uint32_t(v));
   buffer.begin_view(Programs::Gltf_buffer::TRIANGLES);
   const std::size_t indices = buffer.add(corners, 1);
   buffer.begin_view(Programs::Gltf_buffer::ANIMATION);

@@ -13,11 +13,11 @@
 #include <CGAL/Animated_mesh_features/Applications/Simplification_options.h>
 #include <CGAL/Animated_mesh_features/Applications/Vertex_binding.h>
 #include <CGAL/Animated_mesh_features/Applications/choose_poses.h>
+#include <CGAL/Animated_mesh_features/Applications/internal/Edge_costs.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/Pose_collapses.h>
-#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+#include <CGAL/Animated_mesh_features/Applications/internal/collapse_settings.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
 
-#include <CGAL/Dynamic_property_map.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 #include <CGAL/version.h>
@@ -28,11 +28,9 @@
   #include <boost/optional.hpp>
 #endif
 
-#include <cmath>
+#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <string>
-#include <utility>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -48,41 +46,6 @@ using Collapse_optional = std::optional<T>;
 template <class T>
 using Collapse_optional = boost::optional<T>;
 #endif
-
-// frames in the order of columns: poses, then all others
-inline std::vector<std::size_t> pose_columns(const std::vector<std::size_t>& poses, std::size_t frames)
-{
-  std::vector<std::size_t> columns = poses;
-  std::vector<char> is_pose(frames, 0);
-  for (std::size_t f : poses) is_pose[f] = 1;
-  for (std::size_t f = 0; f < frames; ++f)
-    if (is_pose[f] == 0) columns.push_back(f);
-  return columns;
-}
-
-inline std::vector<char> fixed_vertices(const Simplification_options& o, std::size_t vertices)
-{
-  std::vector<char> is_fixed(vertices, 0);
-  for (std::size_t v : o.fixed_vertices) {
-    if (v >= vertices)
-      throw Option_error("there is no vertex " + std::to_string(v) + " to be fixed; the mesh has " +
-                         std::to_string(vertices));
-    is_fixed[v] = 1;
-  }
-  return is_fixed;
-}
-
-inline Pose_collapses::Settings collapse_settings(const Simplification_options& o)
-{
-  const auto check = [](double x, double most, const char* what) {
-    if (!(x >= 0 && x <= most)) throw Option_error(std::string(what) + " is " + std::to_string(x) + ", out of range");
-  };
-  check(o.line_weight, 1e6, "the line weight");
-  check(o.border_weight, 1e6, "the border weight");
-  check(o.least_cosine, .999, "the least cosine");
-  if (o.support == 0 || o.support > 64) throw Option_error("a vertex can follow 1 to 64 vertices");
-  return {o.line_weight, o.border_weight, o.least_cosine, o.support};
-}
 
 } // namespace internal
 
@@ -104,8 +67,13 @@ SMS::edge_collapse(mesh, stop, parameters::get_cost(cost).get_placement(placemen
 The cost of an edge is the sum, over poses, of the least value that the quadrics of its ends take together (A. Mohr,
 M. Gleicher, Deformation sensitive decimation, 2003). A vertex takes the place of two by weights of vertices of the
 original, the same in all frames, for which the summed quadrics are least: so it has a place in every frame, pose or
-not, and in any other animation of the mesh. The filter looks at all frames and the rest shape: no triangle's normal
-turns by more than the options allow.
+not, and in any other animation of the mesh.
+
+The filter looks at all frames and the rest shape. It compares a triangle with the original around all that its corners
+have taken the place of, wherever that has a side, that is, the sum of its normals is at least half as long as its area:
+the triangle looks to that side, unless it looked away before, and its normal turns by no more than the options allow,
+unless it comes within 60 degrees of that side, or nearer to it than it was. Without the second exception meshes lock that
+crumple in some frame: what else is left is collapsed then, at any cost.
 
 The mesh is the only thing that \cgal changes; this object keeps what belongs to its vertices. Several calls of
 `edge_collapse()`, one after the other, go on where the last one stopped. Vertices that must stay are told to this
@@ -123,18 +91,11 @@ class Animation_collapse
   typedef typename boost::property_map<TriangleMesh, CGAL::vertex_point_t>::type Vertex_point_map;
   typedef typename boost::property_traits<Vertex_point_map>::value_type Point;
 
-  struct Edge_cost
-  {
-    double cost = 0;
-    std::uint32_t stamp = 0, is_known = 0;
-  };
-  typedef typename boost::property_map<TriangleMesh, CGAL::dynamic_edge_property_t<Edge_cost>>::type Costs;
-
 public:
   typedef Rest_shape::Index Index; ///< rank of a vertex
 
   /*!
-  computes the quadrics of all vertices, in parallel if oneTBB is there, in `O(N F)` time and `80 N P + 36 N (F + 1)`
+  computes the quadrics of all vertices, in parallel if oneTBB is there, in `O(N F)` time and `80 N P + 40 N (F + 1)`
   bytes for `P` poses.
 
   \param mesh is kept by reference; its points at rest are changed as vertices move.
@@ -149,21 +110,19 @@ public:
   Animation_collapse(TriangleMesh& mesh, VertexIndexMap index, const Rest_shape& rest,
                      const Vertex_trajectories<FT>& trajectories, const Simplification_options& options,
                      const Guidance& guidance = Guidance())
-    : m_mesh(&mesh)
-    , m_index(index)
+    : m_index(index)
     , m_points(get(CGAL::vertex_point, mesh))
-    , m_costs(get(CGAL::dynamic_edge_property_t<Edge_cost>(), mesh))
     , m_poses(choose_poses(rest, trajectories, options.poses, options.preferred_poses))
     , m_collapses(
           rest, trajectories, internal::pose_columns(m_poses, trajectories.number_of_frames()), m_poses.size(),
           internal::fixed_vertices(options, rest.number_of_vertices()), internal::collapse_settings(options),
           [&](std::size_t v, std::size_t pose) { return guidance(v, m_poses[pose]); },
           [](std::size_t n, const auto& task) { parallel_for<CGAL::Parallel_if_available_tag>(0, n, task); })
+    , m_costs(mesh, index, m_collapses)
   {
     const Rest_shape::Point& first = rest.points().front();
     const std::array<double, 3> relative = m_collapses.rest_point(0);
     for (int axis = 0; axis < 3; ++axis) m_centre[axis] = first[axis] - relative[axis];
-    set_costs();
   }
 
   Animation_collapse(const Animation_collapse&) = delete;
@@ -176,7 +135,7 @@ public:
   auto cost()
   {
     return [this](const auto& profile, const auto&) {
-      return internal::Collapse_optional<typename std::decay_t<decltype(profile)>::FT>(this->cost_of(profile.v0_v1()));
+      return internal::Collapse_optional<typename std::decay_t<decltype(profile)>::FT>(m_costs(profile.v0_v1()));
     };
   }
 
@@ -238,7 +197,7 @@ public:
   void bind(vertex_descriptor v, Vertex_binding& binding) const
   {
     const std::size_t i = get(m_index, v);
-    binding.push_back(m_collapses.vertices(i), m_collapses.weights(i));
+    binding.push_back(m_collapses.followed(i).vertices, m_collapses.followed(i).weights);
   }
 
   /// for each vertex of the original the rank of the one that has taken its place, or its own. Linear time.
@@ -246,32 +205,6 @@ public:
 
 private:
   std::size_t rank(vertex_descriptor v) const { return std::size_t(get(m_index, v)); }
-
-  // All at the beginning, in parallel; CGAL asks one by one.
-  void set_costs()
-  {
-    std::vector<typename boost::graph_traits<TriangleMesh>::edge_descriptor> all(edges(*m_mesh).begin(),
-                                                                                 edges(*m_mesh).end());
-    std::vector<double> costs(all.size());
-    parallel_for<CGAL::Parallel_if_available_tag>(0, all.size(), [&](std::size_t e) {
-      const halfedge_descriptor h = halfedge(all[e], *m_mesh);
-      costs[e] = m_collapses.cost(rank(source(h, *m_mesh)), rank(target(h, *m_mesh)));
-    });
-    for (std::size_t e = 0; e < all.size(); ++e) put(m_costs, all[e], Edge_cost{costs[e], 0, 1});
-  }
-
-  // CGAL asks for all edges near a collapse, of which most have not changed.
-  double cost_of(halfedge_descriptor h)
-  {
-    const std::size_t i = rank(source(h, *m_mesh)), j = rank(target(h, *m_mesh));
-    const std::uint32_t stamp = (std::max)(m_collapses.stamp(i), m_collapses.stamp(j));
-    const auto e = edge(h, *m_mesh);
-    const Edge_cost known = get(m_costs, e);
-    if (known.is_known != 0 && known.stamp == stamp) return known.cost;
-    const double cost = m_collapses.cost(i, j);
-    put(m_costs, e, Edge_cost{cost, stamp, 1});
-    return cost;
-  }
 
   Point point(const std::array<double, 3>& relative) const
   {
@@ -308,7 +241,7 @@ private:
       const auto moves = [&](std::size_t k) { return int(r[k] == i || r[k] == j); };
       if (moves(0) + moves(1) + moves(2) != 1) continue;
       const std::size_t k = moves(0) ? 0 : moves(1) ? 1 : 2;
-      if (m_collapses.flips(r[k], r[(k + 1) % 3], r[(k + 2) % 3], m_collapse)) return false;
+      if (m_collapses.turns(r[k], r[(k + 1) % 3], r[(k + 2) % 3], m_collapse)) return false;
     }
     return true;
   }
@@ -325,12 +258,11 @@ private:
     m_is_selected = m_is_placed = false;
   }
 
-  TriangleMesh* m_mesh;
   VertexIndexMap m_index;
   Vertex_point_map m_points;
-  Costs m_costs;
   std::vector<std::size_t> m_poses;
   Collapses m_collapses;
+  internal::Edge_costs<TriangleMesh, VertexIndexMap> m_costs;
   double m_centre[3];
   halfedge_descriptor m_selected = halfedge_descriptor();
   bool m_is_selected = false, m_is_placed = false;

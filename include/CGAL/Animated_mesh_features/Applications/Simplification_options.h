@@ -39,8 +39,8 @@ struct Simplification_options
   /// relative to that from the surface, per area.
   double border_weight = 1;
 
-  /// the least cosine of the angle by which the normal of a triangle may turn in a collapse, in every frame and at
-  /// rest; not negative. The larger, the fewer collapses are possible.
+  /// the least cosine of the angle by which the normal of a triangle may turn in a collapse, in every frame and at rest,
+  /// if it does not turn to where the original around it looks; not negative. The larger, the fewer collapses are possible.
   double least_cosine = .2;
 
   /// the most vertices of the original that one vertex follows, at least 1. Four are needed to follow an affine

@@ -30,6 +30,10 @@ struct Animation_level
   /// of vertices of this level, `0` to `M - 1`; as the original's triangles are oriented.
   std::vector<Rest_shape::Triangle> triangles;
 
+  /// for each of them the triangle of the original, by rank in `Rest_shape::triangles()`, that it has been from the
+  /// beginning: its corners are those in whose places the corners of that one have come.
+  std::vector<Index> triangle_of;
+
   /// `M` rows.
   Vertex_binding binding;
 

@@ -23,8 +23,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,13 +44,18 @@ struct View_options
   /// what points up, of any length but 0. Default: none, `probable_up_axis()` of the rest shape.
   std::optional<Eigen::Vector3d> up;
 
-  /// how often the icosahedron of directions is subdivided. Default: 2, 162 directions 18 degrees apart; the best one is
+  /// how often the icosahedron of directions is subdivided. Default: 2, 162 directions 18 degrees apart; the best ones are
   /// refined.
   std::size_t subdivisions = 2;
 
-  /// how often the best direction is refined, each time among six around it at half the angle of before. Default: 3, to
-  /// about 2 degrees.
+  /// how often the best directions are refined, up to three of them that are apart, each time among six around each at half
+  /// the angle of before. Default: 3, to about 2 degrees.
   std::size_t refinements = 3;
+
+  /// by how much of the best score that of another one of the refined directions may be lower and still be as good: of
+  /// these, the one nearest to the front is the first view, so that small changes of the mesh do not make it jump. Default:
+  /// 0.02.
+  double tie = 0.02;
 
   /// how many frames are looked at. Default: 16; all 48 to 96 of a gallop or a walk change the score of the chosen view by
   /// some 1 % of the amplitude.
@@ -113,6 +120,45 @@ inline void check_view_options(const View_options& o)
     throw Option_error("there is no elevation from " + std::to_string(o.lowest_elevation) + " to " +
                        std::to_string(o.highest_elevation) + " degrees");
   if (o.most_views == 0) throw Option_error("at least one view has to be chosen");
+  if (!(o.tie >= 0 && o.tie < 1)) throw Option_error("a tie of " + std::to_string(o.tie) + " is not from 0 to 1");
+}
+
+// The best direction, and others that are nearly as good and far from it and each other.
+inline std::vector<std::size_t> separate_views(const View_scores& scores, double angle)
+{
+  const std::size_t most = 3;
+  const double share = 0.95;
+  std::vector<std::size_t> order(scores.directions().size()), result;
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return scores.score(a) > scores.score(b); });
+  for (std::size_t d : order) {
+    if (result.size() == most || scores.score(d) < share * scores.score(order.front())) break;
+    if (std::none_of(result.begin(), result.end(), [&](std::size_t other) {
+          return View_sphere::angle(scores.directions()[d], scores.directions()[other]) < angle;
+        }))
+      result.push_back(d);
+  }
+  return result;
+}
+
+// Of the views that are as good as the best one, that nearest to the front: to where azimuth and elevation are 0, or to -y
+// if z points up, as programs for modelling have it.
+inline std::size_t frontmost_of_best(const View_scores& scores, const std::vector<std::size_t>& views,
+                                     const Eigen::Vector3d& up, double tie)
+{
+  int axis = 0;
+  up.cwiseAbs().maxCoeff(&axis);
+  const Eigen::Vector3d front = view_direction({axis == 2 ? -90. : 0., 0.}, up);
+  double best = 0;
+  for (std::size_t d : views) best = (std::max)(best, scores.score(d));
+  std::size_t result = scores.directions().size();
+  for (std::size_t d : views)
+    if (scores.score(d) >= (1 - tie) * best &&
+        (result == scores.directions().size() ||
+         scores.directions()[d].dot(front) > scores.directions()[result].dot(front)))
+      result = d;
+  return result;
 }
 
 } // namespace internal
@@ -120,8 +166,9 @@ inline void check_view_options(const View_options& o)
 /*!
 \ingroup PkgAnimatedMeshFeaturesViews
 
-chooses where to look at an animation from, by any score: directions of a `View_sphere` are scored, the best one is refined,
-and others are added that show most of what it hides. The camera follows the body and stands upright.
+chooses where to look at an animation from, by any score: directions of a `View_sphere` are scored, the best ones are
+refined, of those that are as good as each other the one nearest to the front is chosen, and others are added that show
+most of what it hides. The camera follows the body and stands upright.
 
 \param animation the animation; a body that walks off is followed.
 \param frames the frames to look at, as many as the score has.
@@ -159,17 +206,24 @@ View_selection select_views(const Frame_sequence<TriangleMesh, FT>& animation, c
           view_direction({double(azimuth), (options.lowest_elevation + options.highest_elevation) / 2}, up));
   View_selection result{up, {}, score_views(animation, frames, directions, score, visitor)};
   View_scores& scores = result.scores;
-  const auto is_any = [](const Eigen::Vector3d&) { return true; };
   double angle = sphere.longest_edge() / 2;
+  std::vector<std::size_t> peaks = internal::separate_views(scores, 3 * angle);
   for (std::size_t i = 0; i < options.refinements; ++i, angle /= 2) {
     std::vector<Eigen::Vector3d> finer;
-    for (const Eigen::Vector3d& d : internal::directions_around(scores.directions()[scores.best(is_any)], angle))
-      if (is_allowed(d)) finer.push_back(d);
+    std::vector<std::size_t> peak_of; // of each of them
+    for (std::size_t p = 0; p < peaks.size(); ++p)
+      for (const Eigen::Vector3d& d : internal::directions_around(scores.directions()[peaks[p]], angle))
+        if (is_allowed(d)) finer.push_back(d), peak_of.push_back(p);
     if (finer.empty()) continue;
+    const std::size_t before = scores.directions().size();
     internal::Stage_scope stage(visitor, Stage::VIEWS);
     internal::add_scored_views(scores, animation.rest_shape(), animation.trajectories(), finer, score, 256, visitor);
+    for (std::size_t k = 0; k < finer.size(); ++k)
+      if (scores.score(before + k) > scores.score(peaks[peak_of[k]])) peaks[peak_of[k]] = before + k;
   }
-  for (const Covering_view& v : covering_views(scores, options.most_views)) {
+  const auto is_any = [](const Eigen::Vector3d&) { return true; };
+  const std::size_t first = internal::frontmost_of_best(scores, peaks, up, options.tie);
+  for (const Covering_view& v : covering_views(scores, options.most_views, is_any, first)) {
     const Eigen::Vector3d& d = scores.directions()[v.rank];
     result.views.push_back({d, view_angles(d, up), v.score, v.covered, v.rank});
   }

@@ -10,8 +10,9 @@
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
 #include <CGAL/Animated_mesh_features/Animation/Vertex_trajectories.h>
+#include <CGAL/Animated_mesh_features/Applications/internal/Measured_surface.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/Surface_samples.h>
-#include <CGAL/Animated_mesh_features/Applications/internal/Triangle_tree.h>
+#include <CGAL/Animated_mesh_features/Applications/internal/turned_triangles.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
 
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -42,7 +44,14 @@ struct Simplification_error
   double mean_in_regions = 0;  ///< `mean_to_coarse` of what is in regions; 0 if nothing is
   double mean_elsewhere = 0;   ///< `mean_to_coarse` of all the rest; 0 if there is none
   double share_in_regions = 0; ///< the share of the original's area that is in regions
-  std::size_t turned = 0;      ///< coarse triangles that look the other way than the original around them
+  std::size_t turned = 0;      ///< coarse triangles that look away from the original around their corners
+
+  /// triangles of the original that look away from what is around their own corners.
+  std::size_t turned_in_original = 0;
+
+  /// coarse triangles that look away from the original nearest to them, which is another part of the body where two
+  /// touch: all that can be told if `Simplification_error_options::vertex_of` is not known, and `turned` in that case.
+  std::size_t turned_from_nearest = 0;
 
   /// the mean of both mean distances.
   double mean() const { return (mean_to_original + mean_to_coarse) / 2; }
@@ -69,92 +78,12 @@ struct Simplification_error_options
   const Spatio_temporal_field<float>* regions = nullptr;
 
   /// `N`, for each vertex of the original the coarse vertex that has taken its place, or `Rest_shape::none`, see
-  /// `Animation_level::vertex_of`: a coarse triangle is compared with the area normals of the vertices whose place its
-  /// corners have taken. Null: with the original nearest to it, which may be another part of the body.
+  /// `Animation_level::vertex_of`: a coarse triangle is compared with the sum of the normals, by area, around the
+  /// vertices whose place its corners have taken. Where that sum is shorter than half of their area, that is, on
+  /// more than a hemisphere or a crumpled piece, the original has no side to look away from. Null: with the original nearest to
+  /// it.
   const std::vector<Rest_shape::Index>* vertex_of = nullptr;
 };
-
-namespace internal {
-
-// One of the two surfaces, as it is in a frame.
-class Measured_surface
-{
-public:
-  typedef Rest_shape::Point Point;
-
-  Measured_surface(const std::vector<Rest_shape::Triangle>& triangles, const std::vector<Point>& rest)
-    : m_triangles(&triangles)
-    , m_points(rest)
-    , m_tree(triangles, m_points)
-  {}
-
-  Measured_surface(const Measured_surface&) = delete;
-  Measured_surface& operator=(const Measured_surface&) = delete;
-
-  void follow(std::vector<Point> points)
-  {
-    m_points = std::move(points);
-    m_tree.follow(m_points);
-    m_normals.clear();
-    for (const Rest_shape::Triangle& t : *m_triangles)
-      m_normals.push_back((m_points[t[1]] - m_points[t[0]]).cross(m_points[t[2]] - m_points[t[0]]) / 2);
-  }
-
-  const Triangle_tree& tree() const { return m_tree; }
-  const std::vector<Point>& normals() const { return m_normals; } // as long as areas
-
-  Point point(const Surface_samples::Sample& s) const
-  {
-    const Rest_shape::Triangle& t = (*m_triangles)[s.triangle];
-    return s.place[0] * m_points[t[0]] + s.place[1] * m_points[t[1]] + s.place[2] * m_points[t[2]];
-  }
-
-private:
-  const std::vector<Rest_shape::Triangle>* m_triangles;
-  std::vector<Point> m_points, m_normals;
-  Triangle_tree m_tree;
-};
-
-// Calls use(sample, its number, area, distance, angle between normals or negative).
-template <class Use>
-void measure_samples(const Surface_samples& from, const Measured_surface& source, const Measured_surface& target,
-                     std::vector<Rest_shape::Index>& guesses, const Use& use)
-{
-  guesses.resize(from.samples.size(), Rest_shape::none);
-  for (std::size_t i = 0; i < from.samples.size(); ++i) {
-    const Surface_samples::Sample& s = from.samples[i];
-    const Triangle_tree::Nearest nearest = target.tree().nearest(source.point(s), guesses[i]);
-    guesses[i] = nearest.triangle;
-    const Rest_shape::Point &n = source.normals()[s.triangle], &m = target.normals()[nearest.triangle];
-    const double lengths = n.norm() * m.norm();
-    const double cosine = lengths > 0 ? (std::max)(-1., (std::min)(1., n.dot(m) / lengths)) : 1;
-    use(s, s.share * n.norm(), std::sqrt(nearest.square), cosine);
-  }
-}
-
-// Which way each coarse triangle looks, compared with the original around its corners.
-inline std::vector<double> look_at_corners(const Rest_shape& rest, const Measured_surface& fine,
-                                           const std::vector<Rest_shape::Index>& vertex_of,
-                                           const std::vector<Rest_shape::Triangle>& triangles,
-                                           const Measured_surface& coarse)
-{
-  std::vector<Rest_shape::Point> normals;
-  for (std::size_t v = 0; v < vertex_of.size(); ++v) {
-    if (vertex_of[v] == Rest_shape::none) continue;
-    if (vertex_of[v] >= normals.size()) normals.resize(vertex_of[v] + 1, Rest_shape::Point(0, 0, 0));
-    for (Rest_shape::Index t : rest.incident_triangles()[v]) normals[vertex_of[v]] += fine.normals()[t];
-  }
-  std::vector<double> look;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    Rest_shape::Point sum(0, 0, 0);
-    for (Rest_shape::Index v : triangles[t])
-      if (v < normals.size()) sum += normals[v];
-    look.push_back(sum.dot(coarse.normals()[t]));
-  }
-  return look;
-}
-
-} // namespace internal
 
 /*!
 \ingroup PkgAnimatedMeshFeaturesSimplification
@@ -197,6 +126,8 @@ simplification_errors(const Rest_shape& rest, const Vertex_trajectories<FT>& tra
   const std::size_t number = options.samples > 0 ? options.samples : 2 * rest.triangles().size();
   const internal::Surface_samples of_original(rest.triangles(), rest.points(), number);
   const internal::Surface_samples of_coarse(triangles, rest_points, number);
+  std::vector<Rest_shape::Index> itself(rest.number_of_vertices());
+  std::iota(itself.begin(), itself.end(), Rest_shape::Index(0));
   std::vector<Simplification_error> errors(frames.size());
   constexpr std::size_t block = 8; // frames in which guesses carry over: fixed, for the same bits
   parallel_for<CGAL::Parallel_if_available_tag>(0, (frames.size() + block - 1) / block, [&](std::size_t b) {
@@ -240,9 +171,11 @@ simplification_errors(const Rest_shape& rest, const Vertex_trajectories<FT>& tra
                                   look[s.triangle] += s.share * cosine;
                                 });
       if (coarse_area > 0) e.mean_to_original /= coarse_area;
-      if (options.vertex_of != nullptr)
-        look = internal::look_at_corners(rest, fine, *options.vertex_of, triangles, other);
-      e.turned = std::size_t(std::count_if(look.begin(), look.end(), [](double x) { return x < 0; }));
+      e.turned_from_nearest = std::size_t(std::count_if(look.begin(), look.end(), [](double x) { return x < 0; }));
+      e.turned_in_original = internal::turned_triangles(rest, fine.normals(), itself, rest.triangles(), fine.normals());
+      e.turned = options.vertex_of == nullptr
+                     ? e.turned_from_nearest
+                     : internal::turned_triangles(rest, fine.normals(), *options.vertex_of, triangles, other.normals());
     }
   });
   return errors;

@@ -128,6 +128,7 @@ Animation_level level_of(const Collapsed_mesh& mesh, const Collapse& collapse)
     const auto h = mesh.halfedge(f);
     const auto n = [&](auto g) { return number[mesh.target(g)]; };
     level.triangles.push_back({{n(h), n(mesh.next(h)), n(mesh.next(mesh.next(h)))}});
+    level.triangle_of.push_back(Rest_shape::Index(f)); // faces are in the order of the original's
   }
   for (Rest_shape::Index v : collapse.survivors()) level.vertex_of.push_back(number[v]);
   return level;
@@ -143,7 +144,7 @@ vertices follow those of the original. See `Animation_collapse` for the method, 
 costs.
 
 Topology stays: closed surfaces stay closed, each component keeps its genus and its borders. No collapse turns a
-triangle over in any frame; a few coarse triangles may still look away from the original around them.
+triangle over in any frame; those that look away from the original around them do so in the original.
 
 \tparam Animation a model of `MeshAnimation`.
 \tparam Guidance a model of `CollapseGuidance`.

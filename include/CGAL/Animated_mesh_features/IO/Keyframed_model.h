@@ -63,6 +63,9 @@ struct Keyframed_model
     std::vector<Vector> points;                        ///< in the coordinates of the geometry
     std::vector<std::array<std::size_t, 3>> triangles; ///< of indices of points
 
+    /// for each vertex where it is in the texture, or none; see read_gltf().
+    std::vector<std::array<double, 2>> texture_coordinates;
+
     /// for each morph target the displacement of each vertex, or nothing if it moves none.
     std::vector<std::vector<Vector>> targets;
 

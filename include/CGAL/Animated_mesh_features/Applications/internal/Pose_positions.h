@@ -49,6 +49,13 @@ public:
           row(v, axis)[c] = float((value(v, axis, c) - sums[axis * m_columns + c]) / unit);
   }
 
+  // a vector, of any meaning, for each vertex and column
+  Pose_positions(std::size_t vertices, std::size_t columns)
+    : m_columns(columns)
+    , m_values(3 * columns * vertices)
+  {}
+
+  std::size_t number_of_vertices() const { return m_columns > 0 ? m_values.size() / (3 * m_columns) : 0; }
   std::size_t number_of_columns() const { return m_columns; }
   float* row(std::size_t v, int axis) { return m_values.data() + (3 * v + std::size_t(axis)) * m_columns; }
   const float* row(std::size_t v, int axis) const { return m_values.data() + (3 * v + std::size_t(axis)) * m_columns; }

@@ -9,8 +9,8 @@
 
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/Pose_positions.h>
+#include <CGAL/Animated_mesh_features/Applications/internal/Quadric.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -20,16 +20,14 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// For each vertex and pose a quadric x^T A x + 2 b^T x + c (M. Garland, P. S. Heckbert, Surface simplification using
-// quadric error metrics, 1997); of an edge, the sum over poses of the least value that the sum of its ends' quadrics
-// takes (A. Mohr, M. Gleicher, Deformation sensitive decimation, 2003).
+// For each vertex and pose a quadric (M. Garland, P. S. Heckbert, Surface simplification using quadric error metrics,
+// 1997); of an edge, the sum over poses of the least value that the sum of its ends' quadrics takes (A. Mohr, M.
+// Gleicher, Deformation sensitive decimation, 2003).
 //
 // The ten coefficients of a vertex are rows of poses: loops run over poses.
 class Pose_quadrics
 {
 public:
-  static constexpr std::size_t size = 10; // of a quadric: A (xx, xy, xz, yy, yz, zz), b (x, y, z), c
-
   Pose_quadrics() = default;
   Pose_quadrics(std::size_t vertices, std::size_t poses)
     : m_poses(poses)
@@ -39,6 +37,15 @@ public:
   std::size_t number_of_poses() const { return m_poses; }
   double* of(std::size_t v) { return m_values.data() + v * size * m_poses; }
   const double* of(std::size_t v) const { return m_values.data() + v * size * m_poses; }
+
+  // of an edge: the sum of its ends'
+  Quadric sum(std::size_t i, std::size_t j, std::size_t pose) const
+  {
+    const double *const q = of(i) + pose, *const r = of(j) + pose;
+    Quadric s;
+    for (std::size_t k = 0; k < size; ++k) s[k] = q[k * m_poses] + r[k * m_poses];
+    return s;
+  }
 
   // adds the quadric of another vertex.
   void add(std::size_t to, std::size_t from)
@@ -110,7 +117,9 @@ public:
   static constexpr double regularisation = 1e-3; // of the trace
 
 private:
-  void add(std::size_t v, std::size_t pose, const std::array<double, size>& q, double weight)
+  static constexpr std::size_t size = std::tuple_size<Quadric>::value;
+
+  void add(std::size_t v, std::size_t pose, const Quadric& q, double weight)
   {
     double* const t = of(v) + pose;
     for (std::size_t i = 0; i < size; ++i) t[i * m_poses] += weight * q[i];

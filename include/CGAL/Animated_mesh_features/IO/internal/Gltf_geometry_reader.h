@@ -24,7 +24,7 @@ namespace Animated_mesh_features {
 namespace IO {
 namespace internal {
 
-// Reads the primitives of a glTF file's meshes: triangles, morph targets, influences of joints.
+// Reads the primitives of a glTF file's meshes: triangles, texture coordinates, morph targets, influences of joints.
 class Gltf_geometry_reader
 {
 public:
@@ -53,6 +53,7 @@ public:
       if (geometry.targets.back().size() != geometry.points.size())
         m_check.fail(target + " has another number of vertices");
     }
+    add_texture_coordinates(primitive, name, geometry);
     add_influences(primitive, name, geometry);
     return geometry;
   }
@@ -95,6 +96,19 @@ private:
     } else {
       for (std::size_t i = 0; i + 2 < n; ++i) add(i + 1, i + 2, 0);
     }
+  }
+
+  // the first set of them
+  void add_texture_coordinates(const tinygltf::Primitive& primitive, const std::string& name,
+                               Keyframed_model::Geometry& geometry) const
+  {
+    const auto found = primitive.attributes.find("TEXCOORD_0");
+    if (found == primitive.attributes.end()) return;
+    const std::vector<double> values = m_accessors.read(found->second, 2, name + ", texture coordinates");
+    if (values.size() != 2 * geometry.points.size())
+      m_check.fail(name + ": texture coordinates are not as many as vertices");
+    for (std::size_t i = 0; i < values.size(); i += 2)
+      geometry.texture_coordinates.push_back({{values[i], values[i + 1]}});
   }
 
   void add_influences(const tinygltf::Primitive& primitive, const std::string& name,
