@@ -273,7 +273,7 @@ class Animation(Shape):
 
 @documented
 def read_animation(*inputs, fps=None, clip=None, frames=None, there_and_back=False, allow_outside=False, faces=None,
-                   rest=None, rescale_rest=False, as_given=False, triangulate=False, weld="auto", repair=False,
+                   part=None, rest=None, rescale_rest=False, as_given=False, triangulate=False, weld="auto", repair=False,
                    skip_bad_frames=False, denoise=None, memory=None, scratch=None, threads=None,
                    visitor=None) -> Animation:
     """Reads an animation from files, as the program ``detect_features`` does.
@@ -300,6 +300,10 @@ def read_animation(*inputs, fps=None, clip=None, frames=None, there_and_back=Fal
         trust.
     faces : str, optional
         the dataset of triangles in an HDF5 file, by default "faces".
+    part : str or int, optional
+        a part of the surface only: of a model a node, with all that hangs below it, or a mesh, by its name, or "NAME/P"
+        for its primitive P; of an OBJ file an object or a group; of whatever input the N-th connected component, 1 for
+        the one with the most vertices.
     rest : str or path, optional
         the undeformed shape: a mesh file of the same connectivity; "mesh", the one given with a point cache; "bind", a
         model without any clip; "first"; "frame:12"; "average". By default the mesh, unless it is one of the frames; the
@@ -321,7 +325,7 @@ def read_animation(*inputs, fps=None, clip=None, frames=None, there_and_back=Fal
     animation = Animation.__new__(Animation)
     animation._take(_core.animation_of_files(names, arguments(
         fps=fps, clip=clip, frames=frames, there_and_back=there_and_back, allow_outside=allow_outside, faces=faces,
-        rest=rest, rescale_rest=rescale_rest, as_given=as_given, triangulate=triangulate, weld=weld, repair=repair,
+        part=part, rest=rest, rescale_rest=rescale_rest, as_given=as_given, triangulate=triangulate, weld=weld, repair=repair,
         skip_bad_frames=skip_bad_frames, denoise=denoise, memory=memory, scratch=scratch, threads=threads), visitor))
     return animation
 

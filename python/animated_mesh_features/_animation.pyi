@@ -72,8 +72,8 @@ class Animation(Shape):
 
 def read_animation(*inputs: PathLike, fps: Optional[float] = ..., clip: Union[None, str, int] = ...,
                    frames: Union[None, int, str] = ..., there_and_back: bool = ..., allow_outside: bool = ...,
-                   faces: Optional[str] = ..., rest: Optional[PathLike] = ..., rescale_rest: bool = ...,
-                   as_given: bool = ..., triangulate: bool = ..., weld: Literal["auto", "always", "never"] = ...,
+                   faces: Optional[str] = ..., part: Union[None, str, int] = ...,
+                   rest: Optional[PathLike] = ..., rescale_rest: bool = ..., as_given: bool = ..., triangulate: bool = ..., weld: Literal["auto", "always", "never"] = ...,
                    repair: bool = ..., skip_bad_frames: bool = ...,
                    denoise: Optional[Literal["auto", "always", "never"]] = ..., memory: Union[None, int, str] = ...,
                    scratch: Optional[PathLike] = ..., threads: Optional[int] = ..., visitor: Visitor = ...

@@ -188,7 +188,7 @@ def keywords_of(*functions):
 
 TERMINAL = {"help", "version", "quiet", "verbose"}
 # What an array has no use for: it is sliced, frames[a:b + 1], and is no file that would have to be understood.
-FILES = {"clip", "frames", "there-and-back", "allow-outside", "faces", "as-given"}
+FILES = {"clip", "frames", "there-and-back", "allow-outside", "faces", "part", "as-given"}
 
 
 @pytest.mark.parametrize("name, functions, without", [
