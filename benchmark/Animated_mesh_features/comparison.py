@@ -114,7 +114,8 @@ def shape_distributions(paths, rates):
 
 
 def descriptor_distances(compare, data, twin):
-    """Distances of the descriptors of the horse and a twin, and whether they are of the same event, `150 x 150`."""
+    """Distances of the descriptors of the horse and a twin; whether they are at the same place and time; and whether their
+    scales are the same, within a factor of 1.5. All `150 x 150`."""
     kept = data / (twin + "_kept_ids.txt")
     vertices, rest = (np.loadtxt(kept, dtype=int), twin.replace("gallop", "rest") + ".obj") if kept.exists() else (
         np.arange(8431), "horse-rest.obj")
@@ -131,12 +132,14 @@ def descriptor_distances(compare, data, twin):
                               axis=2)
     late = np.abs(np.array([f["time"] for f in a])[:, None] - np.array([f["time"] for f in b])[None]) * 30
     late = np.minimum(late, np.abs(late - 24))  # the cycle is played twice
-    return distance, (in_space <= 0.05 * p) & (late <= 1.5 + 1e-9)
+    ratios = [np.abs(np.log(np.array([f[s] for f in a])[:, None] / np.array([f[s] for f in b])[None]))
+              for s in ("sigma", "tau")]
+    return distance, (in_space <= 0.05 * p) & (late <= 1.5 + 1e-9), np.maximum(*ratios) <= np.log(1.5)
 
 
 def descriptor_rows(compare, data, twin):
     """Mutual nearest neighbours of the descriptors of the horse and a twin."""
-    distance, same = descriptor_distances(compare, data, twin)
+    distance, same, _ = descriptor_distances(compare, data, twin)
     first, second = distance.argmin(1), distance.argmin(0)
     mutual = [i for i in range(len(distance)) if second[first[i]] == i]
     by_chance = same.mean()

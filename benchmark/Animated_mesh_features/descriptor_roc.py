@@ -23,7 +23,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "doc/figures"))
 
 from comparison import TWINS, Comparer, auc, descriptor_distances
-from svg import AMBER, BLUE, GREEN, GREY, Axis, Drawing, Plot
+from svg import AMBER, BLUE, GREEN, GREY, INK, Axis, Drawing, Plot
 
 NAMES = {"horse-gallop-dec4200": "half of the vertices", "horse-gallop-irregular": "front decimated to a third",
          "horse-gallop-half": "half of the frames"}
@@ -46,7 +46,7 @@ def thinned(x, y, step=0.002):
 
 
 def draw(curves, path):
-    d = Drawing(760, 380, "Receiver operating characteristic of descriptor distances")
+    d = Drawing(760, 412, "Receiver operating characteristic of descriptor distances")
     plots = [Plot(d, 62, 40, 290, 290, Axis(0, 1, [0, 0.25, 0.5, 0.75, 1]), Axis(0, 1, [0, 0.25, 0.5, 0.75, 1]),
                   "share of different pairs", "share of true pairs", "nearer than some distance"),
              Plot(d, 440, 40, 290, 290, Axis(1e-3, 1, [1e-3, 1e-2, 1e-1, 1], True, ["0.001", "0.01", "0.1", "1"]),
@@ -54,15 +54,20 @@ def draw(curves, path):
     chance = np.geomspace(1e-3, 1, 60)
     plots[0].curve([0, 1], [0, 1], GREY, 1.2, stroke_dasharray="5 4")
     plots[1].curve(chance, chance, GREY, 1.2, stroke_dasharray="5 4")
-    for i, (name, same, different) in enumerate(curves):
+    d.add("rect", x=152.0, y=198.0, width=196.0, height=120.0, fill="white", opacity=0.85)
+    plots[0].label(0.97, 0.41, "area below the curves", INK, "end")
+    for i, (name, same, any_scale, different) in enumerate(curves):
         colour = (BLUE, GREEN, AMBER)[i]
-        x, y = thinned(*characteristic(same, different))
-        plots[0].curve(x, y, colour)
-        seen = x >= 1e-3
-        start = np.interp(1e-3, x, y)
-        plots[1].curve(np.r_[1e-3, x[seen]], np.r_[start, y[seen]], colour)
-        plots[0].label(0.97, 0.30 - 0.085 * i, "%s: %.3f" % (NAMES[name], auc(same, different)), colour, "end")
-    plots[0].label(0.97, 0.045, "chance: 0.5", GREY, "end")
+        for true, width in ((same, 2.2), (any_scale, 0.8)):
+            x, y = thinned(*characteristic(true, different))
+            plots[0].curve(x, y, colour, width)
+            seen = x >= 1e-3
+            plots[1].curve(np.r_[1e-3, x[seen]], np.r_[np.interp(1e-3, x, y), y[seen]], colour, width)
+        areas = "%.2f, %.2f" % (auc(same, different), auc(any_scale, different))
+        plots[0].label(0.97, 0.32 - 0.085 * i, NAMES[name] + ": " + areas, colour, "end")
+    plots[0].label(0.97, 0.065, "chance: 0.5", GREY, "end")
+    d.text(380, 399, "thick: true pairs have the same place, time and scales; thin: the same place and time", 13, "middle",
+           GREY)
     for plot in plots:
         plot.frame()
     d.write(path)
@@ -78,10 +83,11 @@ def main():
     compare = Comparer(str(pathlib.Path(arguments.program).resolve()), arguments.work.resolve())
     curves = []
     for twin in TWINS:
-        distance, same = descriptor_distances(compare, arguments.data, twin)
-        curves.append((twin, distance[same], distance[~same]))
-        print("%-24s %d true and %d different pairs, area %.3f" % (twin, same.sum(), (~same).sum(),
-                                                                  auc(distance[same], distance[~same])))
+        distance, at_once, of_scale = descriptor_distances(compare, arguments.data, twin)
+        same, different = distance[at_once & of_scale], distance[~at_once]
+        curves.append((twin, same, distance[at_once], different))
+        print("%-24s area %.3f: %d true pairs of the same scales, %d different ones; %.3f: %d of any scale" % (
+            twin, auc(same, different), len(same), len(different), auc(distance[at_once], different), at_once.sum()))
     draw(curves, arguments.figure)
     return 0
 

@@ -467,6 +467,17 @@ void test_distance()
   CHECK(still.level == 0 && still.cycle.period == 0);
   CHECK(Amf::animation_distance(still, still) == 0);
   CHECK(Amf::animation_distance(still, a) > 0.9);
+  // what is there at all times, and adds in squares, is no motion
+  Field clean(1, 40), noisy(1, 40);
+  for (std::size_t f = 0; f < 40; ++f) {
+    clean(0, f) = f < 10 ? 0 : std::sin(0.2 * double(f - 10)) + 1 - std::cos(0.3 * double(f - 10));
+    clean(0, f) = std::abs(clean(0, f));
+    noisy(0, f) = std::sqrt(clean(0, f) * clean(0, f) + 0.09);
+  }
+  const Amf::Activity without = Amf::animation_activity(clean, {1.}, {}, frame);
+  const Amf::Activity with = Amf::animation_activity(noisy, {1.}, {}, frame);
+  for (std::size_t t = 0; t < 40; ++t) CHECK_NEAR(with.mean[t], without.mean[t], 1e-5);
+  CHECK(with.level > without.level);
   CHECK_THROWS(Amf::Input_error, Amf::animation_activity(Field(5, 40), std::vector<double>(5, 1), {}, 1e-4), "samples");
   CHECK_THROWS(Amf::Option_error, Amf::animation_activity(Field(5, 40), std::vector<double>(4, 1), {}, 1), "areas");
 }

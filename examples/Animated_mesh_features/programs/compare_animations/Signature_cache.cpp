@@ -33,7 +33,7 @@ typedef nlohmann::json Cbor; // the same values in bytes
 namespace {
 
 // of the file's layout and of what is computed: files of another one are not found
-const int version = 1;
+const int version = 2;
 
 // Fowler, Noll and Vo's FNV-1a, 64 bits.
 class Hash

@@ -62,9 +62,10 @@ How much of a body deforms when, as a sequence of short vectors, which do not de
 correspondence: what animations are aligned and compared by. Each group of numbers has a root mean square of 1 over the
 sequence, so that bodies of other flesh or another measure of deformation can be compared.
 
-- `mean`: the mean deformation of the surface.
+- `mean`: the mean deformation of the surface; the square root of its square less the least one. What is there at all
+  times, be it noise or the difference of the rest shape from all frames, says nothing of the motion.
 - `recurrence`: how different the body is deformed some time before and after, \f$\|d(t) - d(t \pm l)\|\f$, the
-  neighbourhood of the diagonal of the motion's self-similarity matrix, which depends on the motion more than on the
+  neighbourhood of the diagonal of the motion's self-similarity matrix, likewise without the least of their squares, which depends on the motion more than on the
   body (Junejo, Dexter, Laptev and Perez \cgalCite{junejo2011}).
 - `places`: the deformation by how far out on the body it is, in six overlapping classes of the mean distance to all of
   the surface, see `Surface_landmarks`; none if there is no mesh.
@@ -73,7 +74,7 @@ struct Activity
 {
   std::size_t samples = 0;    ///< `T`
   double sample_duration = 0; ///< seconds
-  double level = 0;           ///< the root mean square of the mean deformation, before it was made 1
+  double level = 0;           ///< the root mean square of the mean deformation, as it is
   std::size_t lags = 0;       ///< `L`
   std::size_t classes = 0;    ///< `P`, 6 or 0
 
