@@ -22,7 +22,8 @@ export async function testPair({ open, check, near, set, state, pair }) {
       element.value = `${time}`;
       element.dispatchEvent(new Event("input"));
     }, alignment.times_a[k]);
-    near((await second()).time, alignment.times_b[k], 1e-3, `the time of the second animation at ${alignment.times_a[k]} s`);
+    const end = (b.frames - 1) * b.frame_duration;
+    near((await second()).time, Math.min(alignment.times_b[k], end), 1e-3, `the time of the second animation at ${alignment.times_a[k]} s`);
   }
 
   // pairs have a number and a colour of their own, in both scenes

@@ -7,6 +7,7 @@
 // The second of two animations, beside the first one: it is shown at the time that is aligned with that of the first,
 // looked at from the same side, and of features that are pairs, one is selected and shown with the other.
 
+import { Bearing } from "./bearing.js";
 import { isWithin } from "./filters.js";
 import { count, seconds, short } from "./format.js";
 import { Hover } from "./hover.js";
@@ -66,9 +67,6 @@ function viewText(stage) {
   return [stage.touched, ...[...direction, ...moved, distance].map((x) => x.toFixed(5))].join();
 }
 
-/** Directions where y points up for those where z does, and the reverse. */
-const turned = ([x, y, z], from, to) => (from === to ? [x, y, z] : from === "y" ? [x, -z, y] : [x, z, -y]);
-
 export class Companion {
   /** `viewer` shows the first one, `scene` is the second one. */
   constructor(viewer, scene, comparison) {
@@ -92,6 +90,9 @@ export class Companion {
 
   makeStage() {
     this.stage = new Stage($("canvas-b"), this.scene, this.state);
+    const places = (scene, side) => this.comparison.matches.map((match) => scene.features[match[side]].rest_position);
+    this.bearing = new Bearing(places(this.viewer.scene, "a"), places(this.scene, "b"));
+    this.state.set({ up: this.bearing.upOfSecond(this.viewer.state.values.up, this.state.values.up) });
     this.hover = new Hover($("tip-b"), this.scene, this.state, this.stage);
     const overlay = new Overlay($("overlay-b"), this);
     this.stage.onDrawn = () => overlay.draw();
@@ -204,9 +205,10 @@ export class Companion {
     if (turner === undefined) return;
     if (!turner.touched && turner === second) first.resetView();
     const from = turner.touched ? turner : first, to = from === first ? second : first;
-    const [a, b] = [from, to].map((stage) => stage.state.values.up), { direction, moved, distance } = from.relativeView();
-    if (to === second) second.told = turned(direction, a, b);
-    if (from.touched) to.setRelativeView({ direction: turned(direction, a, b), moved: turned(moved, a, b), distance });
+    const { direction, moved, distance } = from.relativeView();
+    const there = (vector) => this.bearing[to === second ? "toSecond" : "toFirst"](vector, first.state.values.up, second.state.values.up);
+    if (to === second) second.told = there(direction);
+    if (from.touched) to.setRelativeView({ direction: there(direction), moved: there(moved), distance });
     else to.resetView();
     this.views = stages.map(viewText); // nothing is to be done until somebody turns one again
   }
