@@ -254,9 +254,11 @@ Item item(const std::string& word, const Programs::Reading_options& common)
   return result;
 }
 
-void name_by_path(std::vector<Item>& items)
+void tell_apart(Item& a, Item& b)
 {
-  for (Item& i : items) i.name = path_name(i);
+  if (a.name != b.name || path_name(a) == path_name(b)) return;
+  a.name = path_name(a);
+  b.name = path_name(b);
 }
 
 std::vector<Item> collection(const std::vector<std::string>& words, const Programs::Reading_options& common)

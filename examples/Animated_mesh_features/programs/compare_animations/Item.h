@@ -27,8 +27,8 @@ struct Item
 // throws Input_error if there is no such file; Option_error.
 Item item(const std::string& word, const Programs::Reading_options& common);
 
-// Names that tell files of the same name apart: their paths.
-void name_by_path(std::vector<Item>& items);
+// Two of the same name get their paths as names, unless these are the same, too.
+void tell_apart(Item& a, Item& b);
 
 // What a collection consists of: a folder with any of these, a list of them (.txt), a model of which all clips are
 // asked for. Names are unique.

@@ -200,7 +200,7 @@ Result compare_pair(const Settings& s)
   std::string names[2];
   std::unique_ptr<Analysed_animation> animations[2];
   std::vector<Item> items = {item(s.words[0], s.reading), item(s.words[1], s.reading)};
-  if (items[0].name == items[1].name && s.words[0] != s.words[1]) name_by_path(items);
+  tell_apart(items[0], items[1]);
   for (int i = 0; i < 2; ++i) {
     const Item& one = items[std::size_t(i)];
     names[i] = one.name;

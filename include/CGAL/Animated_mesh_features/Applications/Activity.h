@@ -65,7 +65,7 @@ sequence, so that bodies of other flesh or another measure of deformation can be
 - `mean`: the mean deformation of the surface; the square root of its square less the least one. What is there at all
   times, be it noise or the difference of the rest shape from all frames, says nothing of the motion.
 - `recurrence`: how different the body is deformed some time before and after, \f$\|d(t) - d(t \pm l)\|\f$, the
-  neighbourhood of the diagonal of the motion's self-similarity matrix, likewise without the least of their squares, which depends on the motion more than on the
+  neighbourhood of the diagonal of the motion's self-similarity matrix, which depends on the motion more than on the
   body (Junejo, Dexter, Laptev and Perez \cgalCite{junejo2011}).
 - `places`: the deformation by how far out on the body it is, in six overlapping classes of the mean distance to all of
   the surface, see `Surface_landmarks`; none if there is no mesh.

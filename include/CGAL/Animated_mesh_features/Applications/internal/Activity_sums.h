@@ -108,15 +108,15 @@ public:
     const double least = 1e-12 * a.level * a.level * m_area;
     if (m_variance > least) {
       // the mean square of all pairs of times is the doubled variance
-      const double always = least_difference(), unit = 2 * (m_variance - always / 2) * 2 * double(m_lags);
+      const double unit = 2 * m_variance * 2 * double(m_lags);
       for (std::size_t t = 0; t < m_samples; ++t)
         for (std::size_t l = 0; l < m_lags; ++l) {
           const std::size_t lag = (l + 1) * m_lag;
           // at the beginning the first sample stands for those before it
           const double later = m_recurrence[l * m_samples + t];
           const double earlier = t >= lag ? m_recurrence[l * m_samples + t - lag] : from_first(t, l);
-          a.recurrence[t * 2 * m_lags + l] = float(std::sqrt((std::max)(later - always, 0.) / unit));
-          a.recurrence[t * 2 * m_lags + m_lags + l] = float(std::sqrt((std::max)(earlier - always, 0.) / unit));
+          a.recurrence[t * 2 * m_lags + l] = float(std::sqrt(later / unit));
+          a.recurrence[t * 2 * m_lags + m_lags + l] = float(std::sqrt(earlier / unit));
         }
       std::vector<double> profile = m_profile;
       for (double& x : profile) x /= 2 * m_variance;
@@ -145,18 +145,6 @@ private:
     const double unit = squares / double(m_samples), level = a.level * m_area;
     if (!(unit > 1e-12 * level * level)) return; // rounding errors of a mean that does not change
     for (std::size_t t = 0; t < m_samples; ++t) a.mean[t] = float(std::sqrt(above[t] / unit));
-  }
-
-  // The least square of a difference of any two times that are compared: of noise, twice its variance; of a motion that
-  // rests, or does something again, nothing.
-  double least_difference() const
-  {
-    double least = 2 * m_variance; // that of all pairs of times in the mean
-    for (std::size_t l = 0; l < m_lags; ++l)
-      for (std::size_t t = 0; t + (l + 1) * m_lag < m_samples; ++t)
-        least = (std::min)(least, m_recurrence[l * m_samples + t]);
-    // a field of which nothing else would be left
-    return least < m_variance ? least : 0;
   }
 
   static constexpr std::size_t coarse = 128; // samples for the search for a cycle
