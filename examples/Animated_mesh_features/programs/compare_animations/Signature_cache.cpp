@@ -33,7 +33,7 @@ typedef nlohmann::json Cbor; // the same values in bytes
 namespace {
 
 // of the file's layout and of what is computed: files of another one are not found
-const int version = 2;
+const int version = 1;
 
 // Fowler, Noll and Vo's FNV-1a, 64 bits.
 class Hash
@@ -105,7 +105,7 @@ void add_options(const Item& item, const Settings& s, Hash& hash)
   os.precision(17);
   os << version << ' ' << ANIMATED_MESH_FEATURES_VERSION << '\n'
      << text_of(r.frames_per_second) << '\n'
-     << r.as_given << r.triangulate << r.repair << int(r.weld) << r.skip_bad_frames << r.there_and_back << '\n'
+     << r.as_given << r.triangulate << r.repair << int(r.weld) << r.skip_bad_frames << int(r.denoise) << r.there_and_back << '\n'
      << r.clip << '\n'
      << text_of(r.clip_frames) << ' ' << (r.frame_range ? r.frame_range->text : "") << '\n'
      << r.faces_dataset << '\n'

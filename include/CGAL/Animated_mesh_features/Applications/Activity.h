@@ -62,8 +62,7 @@ How much of a body deforms when, as a sequence of short vectors, which do not de
 correspondence: what animations are aligned and compared by. Each group of numbers has a root mean square of 1 over the
 sequence, so that bodies of other flesh or another measure of deformation can be compared.
 
-- `mean`: the mean deformation of the surface; the square root of its square less the least one. What is there at all
-  times, be it noise or the difference of the rest shape from all frames, says nothing of the motion.
+- `mean`: the mean deformation of the surface.
 - `recurrence`: how different the body is deformed some time before and after, \f$\|d(t) - d(t \pm l)\|\f$, the
   neighbourhood of the diagonal of the motion's self-similarity matrix, which depends on the motion more than on the
   body (Junejo, Dexter, Laptev and Perez \cgalCite{junejo2011}).
@@ -74,7 +73,7 @@ struct Activity
 {
   std::size_t samples = 0;    ///< `T`
   double sample_duration = 0; ///< seconds
-  double level = 0;           ///< the root mean square of the mean deformation, as it is
+  double level = 0;           ///< the root mean square of the mean deformation, before it was made 1
   std::size_t lags = 0;       ///< `L`
   std::size_t classes = 0;    ///< `P`, 6 or 0
 

@@ -104,7 +104,7 @@ public:
     for (double x : m_mean) squares += x * x;
     a.level = m_area > 0 ? std::sqrt(squares / double(m_samples)) / m_area : 0;
     if (!(a.level > 0)) return a;
-    set_mean(a);
+    for (std::size_t t = 0; t < m_samples; ++t) a.mean[t] = float(m_mean[t] / m_area / a.level);
     const double least = 1e-12 * a.level * a.level * m_area;
     if (m_variance > least) {
       // the mean square of all pairs of times is the doubled variance
@@ -131,22 +131,6 @@ public:
   }
 
 private:
-  // The mean without what is there at all times, as noise is, and the difference of the rest shape from all frames: both
-  // add in squares, and say nothing of the motion.
-  void set_mean(Activity& a) const
-  {
-    const double least = *std::min_element(m_mean.begin(), m_mean.end());
-    double squares = 0;
-    std::vector<double> above;
-    for (double x : m_mean) {
-      above.push_back(x * x - least * least);
-      squares += above.back();
-    }
-    const double unit = squares / double(m_samples), level = a.level * m_area;
-    if (!(unit > 1e-12 * level * level)) return; // rounding errors of a mean that does not change
-    for (std::size_t t = 0; t < m_samples; ++t) a.mean[t] = float(std::sqrt(above[t] / unit));
-  }
-
   static constexpr std::size_t coarse = 128; // samples for the search for a cycle
 
   // The difference from the first sample is among the differences to later ones where a lag fits; else it is that of

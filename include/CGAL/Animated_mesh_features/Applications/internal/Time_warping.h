@@ -21,8 +21,7 @@ namespace internal {
 // Dynamic time warping of n against m samples (Sakoe and Chiba 1978) in steps of (1, 1), (1, q) and (q, 1), q up to the
 // largest slope; each sample of either side counts once. Samples that have no partner at the beginning and at the end
 // are compared with the first or last one of the other side, and count by `end_weight`. A step of (1, q) or (q, 1) costs
-// `bend_cost` q - 1 times, so that clocks run alike where nothing says that they do not, and so does each sample at the
-// ends that has no partner, by `end_weight`. O(n m slope) time, 5 n m bytes.
+// `bend_cost` q - 1 times, so that clocks run alike where nothing says that they do not. O(n m slope) time, 5 n m bytes.
 class Time_warping
 {
 public:
@@ -53,9 +52,6 @@ public:
 private:
   double local(std::size_t i, std::size_t j) const { return double(m_costs[i * m_m + j]); }
 
-  // what a sample at an end costs that is compared with the other side's end
-  double unpaired(std::size_t i, std::size_t j) const { return m_end_weight * (local(i, j) + m_bend_cost); }
-
   // Steps are 0 for a beginning, q for (1, q), 128 + q for (q, 1). Of two ways of the same cost it is the more even
   // one.
   void accumulate(std::size_t n, std::size_t max_slope)
@@ -68,11 +64,11 @@ private:
     for (std::size_t i = 0; i < n; ++i) {
       std::vector<double>& row = rows[i % kept];
       const auto above = [&](std::size_t q) -> const std::vector<double>& { return rows[(i - q) % kept]; };
-      start += i == 0 ? 2 * local(0, 0) : unpaired(i, 0);
+      start += (i == 0 ? 2 : m_end_weight) * local(i, 0);
       row[0] = start;
       for (std::size_t j = 1; j < m_m; ++j) {
         if (i == 0) {
-          row[j] = row[j - 1] + unpaired(0, j);
+          row[j] = row[j - 1] + m_end_weight * local(0, j);
           continue;
         }
         double best = above(1)[j - 1] + 2 * local(i, j);
@@ -109,7 +105,7 @@ private:
     Point end(n - 1, m_m - 1);
     double rest = 0;
     for (std::size_t j = m_m - 1; j-- > 0;) {
-      rest += unpaired(n - 1, j + 1);
+      rest += m_end_weight * local(n - 1, j + 1);
       if (m_last_row[j] + rest < m_cost) {
         m_cost = m_last_row[j] + rest;
         end = {n - 1, j};
@@ -117,7 +113,7 @@ private:
     }
     rest = 0;
     for (std::size_t i = n - 1; i-- > 0;) {
-      rest += unpaired(i + 1, m_m - 1);
+      rest += m_end_weight * local(i + 1, m_m - 1);
       if (m_last_column[i] + rest < m_cost) {
         m_cost = m_last_column[i] + rest;
         end = {i, m_m - 1};
