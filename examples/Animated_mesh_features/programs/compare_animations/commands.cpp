@@ -265,8 +265,8 @@ Result compare_pair(const Settings& s)
        << ", of B only " << events.only_b.size() << "\n";
   add_differences(differences, a, b, s, result, text);
   if (!s.html.empty())
-    result.page = Programs::pair_page(animations[0]->scene(s.matching.top), animations[1]->scene(s.matching.top),
-                                      result.json);
+    result.page =
+        Programs::pair_page(animations[0]->scene(s.matching.top), animations[1]->scene(s.matching.top), result.json);
   result.text = text.str();
   return result;
 }

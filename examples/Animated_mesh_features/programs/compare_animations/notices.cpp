@@ -33,7 +33,8 @@ std::string notice_of_clocks(const CGAL::Animated_mesh_features::Animation_signa
   std::ostringstream os;
   os.imbue(std::locale::classic());
   os << std::setprecision(4) << "both have " << a.frames << " frames, A " << 1 / a.frame_duration << " and B "
-     << 1 / b.frame_duration << " in a second: if they are takes of the same length, one rate was told wrongly (--fps)\n";
+     << 1 / b.frame_duration
+     << " in a second: if they are takes of the same length, one rate was told wrongly (--fps)\n";
   return os.str();
 }
 

@@ -165,7 +165,8 @@ private:
     for (std::size_t i = 0; i < m_matrix.size(); ++i)
       unnamed += draw_name(centres[i], short_name(m_matrix.names[i]), style, plane) ? 0 : 1;
     if (unnamed > 0)
-      m_canvas.text(left + m_plane + 160, top - 8, std::to_string(unnamed) + " of the names have no room", m_style.dim_text(1));
+      m_canvas.text(left + m_plane + 160, top - 8, std::to_string(unnamed) + " of the names have no room",
+                    m_style.dim_text(1));
     double y = top + m_plane + 22, x = left;
     if (groups.size() > 1 && groups.size() < m_matrix.size())
       for (std::size_t g = 0; g < groups.size(); ++g) {

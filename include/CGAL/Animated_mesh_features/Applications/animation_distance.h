@@ -24,8 +24,10 @@ What `animation_distance()` is told.
 */
 struct Distance_options
 {
-  Alignment_options alignment; ///< by default without places and the least mean, with ends that count, and a slope of up to 2
-  double cycle_weight = 0.1;   ///< from 0 to 1: how far apart a motion that repeats itself is from one that does not
+  /// by default without places and without the least mean, with ends that count, and a slope of up to 2, see below.
+  Alignment_options alignment;
+
+  double cycle_weight = 0.1; ///< from 0 to 1: how far apart a motion that repeats itself is from one that does not
 
   /// The defaults: characters of different build deform at different places in the same action; what is compared is the
   /// whole of both.
