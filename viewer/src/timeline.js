@@ -176,7 +176,7 @@ export class Timeline {
       g.lineTo(x, height);
       g.stroke();
       const text = `${+(i * step).toPrecision(6)} s`;
-      if (x + 24 + g.measureText(text).width < this.canvas.clientWidth) g.fillText(text, x + 3, 1);
+      if (x + (this.axis.name ? 24 : 4) + g.measureText(text).width < this.canvas.clientWidth) g.fillText(text, x + 3, 1);
     }
     g.font = "600 11px system-ui, sans-serif";
     g.fillText(this.axis.name, this.canvas.clientWidth - 14, 1);
