@@ -107,10 +107,50 @@ check "left['left_out'] == 1 and len(left['animations']) == 3 and len(set(x['nam
 
 python3 - <<'PYTHON'
 import json
-nothing = json.load(open("a.json"))
-nothing["features"] = []
-json.dump(nothing, open("nothing.json", "w"))
+
+
+def changed(name, change):
+    data = json.load(open("a.json"))
+    change(data, data["animation"], data["features"])
+    json.dump(data, open(name + ".json", "w"))
+
+
+def millimetres(data, animation, features):
+    animation["bounding_box_diagonal"] *= 1000
+    for f in features:
+        f.update(sigma=1000 * f["sigma"], radius=1000 * f["radius"])
+        f.update({k: [1000 * x for x in f[k]] for k in ("position", "rest_position")})
+
+
+def milliseconds(data, animation, features):
+    animation["frame_duration"] *= 1000
+    for f in features:
+        f.update(time=1000 * f["time"], tau=1000 * f["tau"])
+
+
+changed("nothing", lambda data, animation, features: features.clear())
+changed("older", lambda data, animation, features: data.update(version=0))
+changed("millimetres", millimetres)
+changed("mixed_units", lambda data, animation, features: [
+    f.update(rest_position=[1000 * x for x in f["rest_position"]]) for f in features])
+changed("milliseconds", milliseconds)
+changed("twice_as_fast", lambda data, animation, features: animation.update(frame_duration=animation["frame_duration"] / 2))
 PYTHON
+expect 3 "older.json: has version 0" a.json older.json
+expect 0 "" a.json millimetres.json -o millimetres_found.json # another unit is no difference
+check "millimetres_found['distance'] < 1e-6 and len(millimetres_found['matches']) == millimetres_found['a']['features']" \
+  millimetres_found
+expect 3 "mixed_units.json: features are" a.json mixed_units.json
+expect 3 "milliseconds.json: the animation lasts" a.json milliseconds.json
+expect 0 "one rate was told wrongly" a.json twice_as_fast.json
+expect 0 "of which more is known" set/a.pc2 a.json --cache .
+head -c 700 a.json >torn.json
+expect 3 "torn is left out: torn.json: is no valid JSON" matrix a.json take.json torn.json
+mkdir one two && cp a.json one/x.json && cp take.json two/x.json
+expect 0 "" one/x.json two/x.json -o same_name.json
+check "same_name['a']['name'] == 'one/x.json' and same_name['b']['name'] == 'two/x.json'" same_name
+expect 0 "" matrix one two -o same_names.json
+check "[x['name'] for x in same_names['animations']] == ['one/x.json', 'two/x.json']" same_names
 expect 0 "" a.json nothing.json -o nothing_found.json
 check "nothing_found['matches'] == [] and nothing_found['distance'] <= 1" nothing_found
 expect 2 "two animations are compared" a.json
@@ -120,6 +160,11 @@ expect 2 "is in the collection twice" matrix a.json a.json
 mkdir empty
 expect 3 "there are no animations" matrix empty
 expect 3 "missing.json" missing.json a.json
+expect 2 "goes with two animations" matrix list.txt --html x.html
+if "$program" --help | grep -q -- --html && ! "$program" a.json a.json --html x.html 2>&1 | grep -q "built without the viewer"; then
+  expect 2 "a file of features alone" set/a.pc2 a.json --html x.html
+  [[ ! -e x.html ]] || fail "a page without a surface"
+fi
 expect 2 "no such folder" a.json a.json --cache nowhere
 expect 2 "rotation-free" a.json a.json --descriptor nonsense
 cp a.json kept.json

@@ -467,6 +467,21 @@ void test_distance()
   CHECK(still.level == 0 && still.cycle.period == 0);
   CHECK(Amf::animation_distance(still, still) == 0);
   CHECK(Amf::animation_distance(still, a) > 0.9);
+  // what is there at all times, and adds in squares, is no motion
+  Field clean(1, 40), noisy(1, 40);
+  for (std::size_t f = 0; f < 40; ++f) {
+    clean(0, f) = f < 10 ? 0 : std::sin(0.2 * double(f - 10)) + 1 - std::cos(0.3 * double(f - 10));
+    clean(0, f) = std::abs(clean(0, f));
+    noisy(0, f) = std::sqrt(clean(0, f) * clean(0, f) + 0.09);
+  }
+  Amf::Distance_options of_mean;
+  of_mean.alignment.recurrence_weight = 0;
+  of_mean.cycle_weight = 0;
+  const Amf::Activity without = Amf::animation_activity(clean, {1.}, {}, frame);
+  const Amf::Activity with = Amf::animation_activity(noisy, {1.}, {}, frame);
+  CHECK_NEAR(Amf::animation_distance(with, without, of_mean), 0, 0.01);
+  of_mean.alignment.without_least_mean = false;
+  CHECK(Amf::animation_distance(with, without, of_mean) > 0.05);
   CHECK_THROWS(Amf::Input_error, Amf::animation_activity(Field(5, 40), std::vector<double>(5, 1), {}, 1e-4), "samples");
   CHECK_THROWS(Amf::Option_error, Amf::animation_activity(Field(5, 40), std::vector<double>(4, 1), {}, 1), "areas");
 }

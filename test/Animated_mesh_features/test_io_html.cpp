@@ -22,6 +22,8 @@ int main()
   #include "rendering/Palette.h"
   #include "scenes/Shown_scene.h"
 
+  #include <nlohmann/json.hpp>
+
   #include <zlib.h>
 
   #define BOOST_BIND_GLOBAL_PLACEHOLDERS // asked for by property_tree in Boost 1.74, where it would warn of itself
@@ -536,6 +538,28 @@ void test_bad_input()
   CHECK(os.str().empty());
 }
 
+// Two scenes in one page are those that either has alone, under other names.
+void test_pair()
+{
+  const Mesh mesh = sheet(4, 3), other_mesh = sheet(3, 2);
+  const Sequence sequence(mesh, wave(mesh, 4, 0), 0.1), other_sequence(other_mesh, wave(other_mesh, 5, 1), 0.2);
+  const std::vector<Feature> none;
+  const Scene a{sequence, none, {}, "a"}, b{other_sequence, none, {}, "b"};
+  const nlohmann::ordered_json comparison = {{"distance", 0.25}, {"name", "</script>"}};
+  std::ostringstream os;
+  const auto reports = Programs::write_html_pair(os, a, b, comparison, page);
+  const std::string html = os.str(), alone[] = {written(a), written(b)};
+  CHECK(reports[0].vertices == mesh.num_vertices() && reports[1].vertices == other_mesh.num_vertices());
+  for (const std::string what : {"", "-faces", "-positions", "-rest"}) {
+    CHECK(!element(html, "scene" + what).empty() && element(html, "scene" + what) == element(alone[0], "scene" + what));
+    CHECK(element(html, "scene-b" + what) == element(alone[1], "scene" + what));
+  }
+  CHECK(nlohmann::ordered_json::parse(element(html, "comparison")) == comparison);
+  std::ostringstream nothing;
+  CHECK_THROWS(Option_error, Programs::write_html_pair(nothing, a, b, comparison, "<html></html>"), "not the viewer");
+  CHECK(nothing.str().empty());
+}
+
 // All in one place: no extent, no step, no division by zero.
 void test_a_point()
 {
@@ -557,6 +581,7 @@ int main()
   test_what_is_written(5000);
   test_fewer_frames();
   test_fewer_vertices();
+  test_pair();
   test_bad_input();
   test_a_point();
   return test_result();

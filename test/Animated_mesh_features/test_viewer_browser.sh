@@ -5,7 +5,8 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# The viewer in a browser, see test/viewer/browser_test.mjs. DETECT_FEATURES and MAKE_ANIMATION are the programs. Skipped (77)
+# The viewer in a browser, see test/viewer/browser_test.mjs. DETECT_FEATURES, MAKE_ANIMATION and, if it
+# is there, COMPARE_ANIMATIONS are the programs. Skipped (77)
 # without them, without Chromium, Node.js and npm, without a network, or if the program has no viewer.
 
 source "$(dirname "${BASH_SOURCE[0]}")/shell_test.bash"
@@ -35,5 +36,9 @@ if ! "$program" small.obj small.pc2 --fps 15 -q -o small.json -o small.csv --htm
 fi
 "$generator" figure --vertices 9500 --frames 48 -o large >/dev/null || exit 1
 "$program" large.obj large.pc2 -q --html large.html || exit 1
+if [[ -n "$comparer" ]]; then
+  "$generator" figure --vertices 1200 --frames 40 -o other >/dev/null || exit 1
+  "$comparer" small.pc2 other.pc2 -q -o pair.json --html pair.html || exit 1
+fi
 
-"$node" browser_test.mjs "$browser" small large
+"$node" browser_test.mjs "$browser" small large pair

@@ -68,6 +68,7 @@ function parameters(scene) {
     follow: { key: "follow", ...truth },
     labels: { key: "labels", ...truth },
     trail: { key: "trail", ...truth },
+    unmatched: { key: "unmatched", ...truth },
     loop: { key: "loop", ...truth },
     up: { key: "up", ...among(["y", "z"]) },
     opacity: { key: "opacity", ...bounded(0.1, 1) },

@@ -13,6 +13,7 @@ import { short } from "./format.js";
  * without `head` is in files only.
  */
 export const COLUMNS = [
+  { key: "pair", head: "Pair", title: "features of both animations that show the same event share a number", first: 1, text: String },
   { key: "rank", head: "#", title: "rank by strength", first: 1, text: String },
   { key: "place", head: "Place", title: "features at one place at different times share a number", first: 1, text: String },
   { key: "time", head: "Time", title: "seconds", first: 1, text: (x) => x.toFixed(2) },
@@ -27,7 +28,7 @@ export const COLUMNS = [
 const byKey = Object.fromEntries(COLUMNS.map((column) => [column.key, column]));
 
 /** What a cell shows; numbers that a file does not have are a dash. */
-export const cellText = (column, feature) => (feature[column.key] === undefined ? "–" : column.text(feature[column.key]));
+export const cellText = (column, feature) => ((feature[column.key] ?? undefined) === undefined ? "–" : column.text(feature[column.key]));
 
 /** Sorting is told by a text: the column's key, after a minus if the largest come first. */
 export const sortKey = (sort) => sort.replace("-", "");

@@ -6,7 +6,7 @@
 
 // The field of one vertex over time, as a curve above the timeline, with the features of its neighbourhood.
 
-import { css, durationColor } from "./colors.js";
+import { css } from "./colors.js";
 import { short } from "./format.js";
 import { MARGIN } from "./timeline.js";
 
@@ -14,8 +14,8 @@ const TOP = 8, BOTTOM = 6; // pixels
 const MOST_LINKS = 12; // to features; the nearest ones
 
 export class Curve {
-  constructor(elements, scene, state, scale, onPick) {
-    Object.assign(this, { ...elements, scene, state, scale, onPick });
+  constructor(elements, scene, state, onPick) {
+    Object.assign(this, { ...elements, scene, state, onPick });
     const { canvas, input, close, section } = elements;
     input.max = `${scene.all_vertices - 1}`;
     input.addEventListener("change", () => this.choose(Number(input.value)));
@@ -79,7 +79,7 @@ export class Curve {
   link(i) {
     const f = this.scene.features[i], button = document.createElement("button");
     Object.assign(button, { type: "button", className: "chip", textContent: `#${f.rank}` });
-    button.style.setProperty("--dot", css(durationColor(this.scale(f.tau))));
+    button.style.setProperty("--dot", css(f.color));
     button.setAttribute("aria-label", `#${f.rank}: feature ${f.rank}, at ${f.time.toFixed(2)} seconds: show`);
     button.addEventListener("click", () => this.onPick(i));
     return button;
@@ -121,7 +121,7 @@ export class Curve {
 
   /** When a feature lives. */
   drawSpan(g, i, height) {
-    const f = this.scene.features[i], rgb = durationColor(this.scale(f.tau));
+    const f = this.scene.features[i], rgb = f.color;
     const from = this.x(Math.max(f.time - f.tau, 0)), to = this.x(Math.min(f.time + f.tau, this.scene.duration));
     g.fillStyle = css(rgb, i === this.state.values.selected ? 0.4 : 0.18);
     g.fillRect(from, 0, to - from, height);

@@ -21,7 +21,8 @@ export const LIMITS = ["all", "without", "only"];
 export const NO_BOUNDS = Object.freeze({});
 
 /** Whether a feature is within the bounds; `bounds` has [least, most] for some keys, null where there is no bound. */
-export function isWithin(feature, { threshold, bounds, limits }) {
+export function isWithin(feature, { threshold, bounds, limits, unmatched }) {
+  if (feature.pair === null && !unmatched) return false;
   if (feature.strength < threshold) return false;
   if (limits !== "all" && feature.at_scale_limit !== (limits === "only")) return false;
   return Object.entries(bounds).every(([key, [least, most]]) => {
@@ -35,7 +36,7 @@ export class Filter {
   constructor(scene, state) {
     Object.assign(this, { scene, state });
     state.subscribe((changed) => {
-      if (["threshold", "bounds", "limits"].some((name) => name in changed)) this.apply();
+      if (["threshold", "bounds", "limits", "unmatched"].some((name) => name in changed)) this.apply();
     });
     this.apply();
   }

@@ -22,6 +22,9 @@ export function short(x, digits = 3) {
   return `${mantissa.replace("-", "−")}·10${power}`;
 }
 
+/** Of two animations: which pair a feature is of. Nothing on the page of a single one. */
+export const pairText = ({ pair }) => (pair === undefined ? "" : pair === null ? "Without a partner. " : `Pair ${pair}. `);
+
 export const seconds = (x) => `${x.toFixed(3)} s`;
 
 export const count = (n, singular, plural = `${singular}s`) => `${n.toLocaleString("en")} ${n === 1 ? singular : plural}`;

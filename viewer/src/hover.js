@@ -6,7 +6,7 @@
 
 // What is under the pointer: a feature's numbers, or a vertex and its value.
 
-import { short } from "./format.js";
+import { pairText, short } from "./format.js";
 
 const OFFSET = 14; // pixels from the pointer
 
@@ -52,7 +52,7 @@ export class Hover {
   }
 
   describe(f) {
-    const lines = [`#${f.rank} · ${f.time.toFixed(2)} s`, `σ ${short(f.sigma)} · τ ${short(f.tau)} s`];
+    const lines = [`${pairText(f)}#${f.rank} · ${f.time.toFixed(2)} s`, `σ ${short(f.sigma)} · τ ${short(f.tau)} s`];
     lines.push([["strength", f.strength], ["amplitude", f.amplitude], ["fit", f.fit]]
       .filter(([, x]) => x !== undefined).map(([name, x]) => `${name} ${short(x, 2)}`).join(" · "));
     if (f.place !== undefined) lines.push(`place ${f.place}${f.parent ? ` · part of #${f.parent}` : ""}`);

@@ -6,7 +6,7 @@
 
 // Keyboard shortcuts, and the text that explains them.
 
-/** Keys, what they do, and how. `viewer` is what main.js gives. */
+/** Keys, what they do, and how; `isSingle`: not beside a second animation. `viewer` is what main.js gives. */
 export function shortcuts(viewer) {
   const { state, player, stage, painter } = viewer;
   return [
@@ -31,19 +31,19 @@ export function shortcuts(viewer) {
     { keys: ["v"], shown: "v", text: "follow the body", run: () => state.toggle("follow") },
     { keys: ["u"], shown: "u", text: "other axis up", run: () => state.set({ up: state.values.up === "y" ? "z" : "y" }) },
     { keys: ["t"], shown: "t", text: "light or dark", run: () => viewer.toggleTheme() },
-    { keys: ["b"], shown: "b", text: "paint, or be done with it", run: () => painter.toggle() },
-    { keys: ["1", "2", "3"], shown: "1 2 3", text: "painting: paint, erase, turn", run: (key) => painter.choose(Number(key) - 1) },
-    { keys: [",", "."], shown: ", .", text: "painting: smaller, larger brush", run: (key) => painter.resize(key === "," ? -1 : 1) },
-    { keys: ["z", "y"], shown: "z y", text: "painting: undo, redo", run: (key) => painter.back(key === "z" ? -1 : 1) },
+    { keys: ["b"], isSingle: true, shown: "b", text: "paint, or be done with it", run: () => painter.toggle() },
+    { keys: ["1", "2", "3"], isSingle: true, shown: "1 2 3", text: "painting: paint, erase, turn", run: (key) => painter.choose(Number(key) - 1) },
+    { keys: [",", "."], isSingle: true, shown: ", .", text: "painting: smaller, larger brush", run: (key) => painter.resize(key === "," ? -1 : 1) },
+    { keys: ["z", "y"], isSingle: true, shown: "z y", text: "painting: undo, redo", run: (key) => painter.back(key === "z" ? -1 : 1) },
     { keys: ["k"], shown: "k", text: "curve of the selected feature's vertex, or of none", run: () => viewer.probeSelected() },
     { keys: ["g"], shown: "g", text: "table: group by place", run: () => state.toggle("grouped") },
     { keys: ["l"], shown: "l", text: "ranks on the spheres", run: () => state.toggle("labels") },
     { keys: ["j"], shown: "j", text: "trajectory of the selected place", run: () => state.toggle("trail") },
     { keys: ["o"], shown: "o", text: "clearer surface, then opaque again", run: () => viewer.nextOpacity() },
-    { keys: ["q"], shown: "q", text: "measure between two points", run: () => viewer.measure.toggle() },
+    { keys: ["q"], isSingle: true, shown: "q", text: "measure between two points", run: () => viewer.measure.toggle() },
     { keys: ["i"], shown: "i", text: "save the picture", run: () => viewer.savePicture() },
     { keys: ["?", "h"], shown: "? h", text: "this help", run: () => viewer.toggleHelp() },
-    { keys: ["Escape"], shown: "Esc", text: "select nothing", run: () => state.set({ selected: -1 }) },
+    { keys: ["Escape"], shown: "Esc", text: "select nothing", run: () => viewer.selectNone() },
   ];
 }
 
@@ -58,7 +58,7 @@ function isTaken(target, key) {
 }
 
 export function listen(viewer, list) {
-  const all = shortcuts(viewer);
+  const all = shortcuts(viewer).filter(({ isSingle }) => !isSingle || !viewer.companion);
   for (const { shown, text } of all) {
     const item = document.createElement("div");
     const term = document.createElement("dt");

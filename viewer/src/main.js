@@ -8,6 +8,7 @@
 
 import { Address } from "./address.js";
 import { MAPS, durationColor, durationScale, gradient, mapColor, useColors } from "./colors.js";
+import { Companion, joinPairs, readComparison } from "./companion.js";
 import { Curve } from "./curve.js";
 import { Filter, FilterForm, NO_BOUNDS } from "./filters.js";
 import { count, seconds, short } from "./format.js";
@@ -30,14 +31,18 @@ const CLEAR_SURFACES = [1, 0.6, 0.3];
 const LONGEST_STEP = 0.25; // s; a page in the background gets no animation frames, and goes on where it was
 
 /** Members of the state that a check box of the same name shows. */
-const TOGGLES = ["hidden", "wires", "follow", "loop", "features", "labels", "trail"];
+const TOGGLES = ["hidden", "wires", "follow", "loop", "features", "labels", "trail", "unmatched"];
 
 const $ = (id) => document.getElementById(id);
 
 class Viewer {
-  constructor(scene) {
+  /** `pair`, if there are two animations: the second scene, and how they are compared. */
+  constructor(scene, pair = null) {
     this.scene = scene;
     useColors(scene.colours);
+    this.scale = durationScale(scene.features);
+    if (pair) joinPairs(pair.comparison, scene, pair.scene);
+    else for (const f of scene.features) f.color = durationColor(this.scale(f.tau));
     const strengths = scene.features.map((f) => f.strength);
     this.weakest = strengths.length > 0 ? Math.min(...strengths) : 0;
     this.strongest = strengths.length > 0 ? Math.max(...strengths) : 0;
@@ -45,11 +50,10 @@ class Viewer {
     this.state = new State({
       time: 0, playing: !isStill, speed: 1, loop: true, threshold: this.weakest, selected: -1,
       field: scene.fields.length > 0 ? 0 : -1, map: MAPS[0], theme: "", hidden: true, wires: false, follow: true, up: "y",
-      shown: [], bounds: NO_BOUNDS, limits: "all", sort: "rank", grouped: this.hasPlaces(), probe: -1, labels: true, trail: true,
+      shown: [], bounds: NO_BOUNDS, limits: "all", sort: "rank", grouped: !pair && this.hasPlaces(), probe: -1, labels: true, trail: true,
       opacity: 1, measuring: false, measureFrom: -1, measureTo: -1,
-      features: true, painting: false, tool: "paint", brush: 0.04, span: 0.5, strokes: [],
+      features: true, unmatched: true, painting: false, tool: "paint", brush: 0.04, span: 0.5, strokes: [],
     });
-    this.scale = durationScale(scene.features);
     this.setTheme(matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light");
     this.drawn = 0;
     this.filter = new Filter(scene, this.state);
@@ -58,16 +62,17 @@ class Viewer {
       section: $("measuring"), inputs: [$("measure-from"), $("measure-to")], result: $("measured"), button: $("measure"), close: $("close-measuring"),
     }, scene, this.state);
     this.player = new Player({ play: $("play"), slider: $("time"), speed: $("speed"), clock: $("clock") }, scene, this.state);
-    this.timeline = new Timeline($("timeline"), scene, this.state, this.scale, (i) => this.go(i));
+    this.timeline = new Timeline($("timeline"), scene, this.state, (i) => this.go(i));
     this.curve = new Curve({
       section: $("probe"), canvas: $("curve"), input: $("probe-vertex"), text: $("probe-text"), links: $("probe-links"), linksLabel: $("probe-near"),
       close: $("close-probe"),
-    }, scene, this.state, this.scale, (i) => this.go(i));
+    }, scene, this.state, (i) => this.go(i));
     new FilterForm({ rows: $("bounds"), limits: $("limits"), clear: $("clear-filters"), summary: $("filters-active") }, scene, this.state);
-    this.table = new Table({ head: $("heads"), body: $("rows"), note: $("note"), grouped: $("grouped") }, scene, this.state, this.scale, (i) => this.go(i));
-    new Details($("details"), scene, this.state, (i) => this.go(i));
+    this.table = new Table({ head: $("heads"), body: $("rows"), note: $("note"), grouped: $("grouped") }, scene, this.state, (i) => this.go(i));
+    new Details($("details"), scene, this.state, (i) => this.go(i), pair ? "A" : "");
     this.painter = new Painter(scene, this.state, this.stage);
     this.describe();
+    this.companion = pair ? new Companion(this, pair.scene, pair.comparison) : null;
     this.connect();
     listen(this, $("shortcuts"));
     if (this.stage) this.addPointer();
@@ -78,7 +83,7 @@ class Viewer {
 
   makeStage() {
     try {
-      this.stage = new Stage($("canvas"), this.scene, this.state, this.scale);
+      this.stage = new Stage($("canvas"), this.scene, this.state);
     } catch (error) {
       this.stage = null;
       $("message").textContent = `This browser cannot draw in three dimensions (WebGL 2): ${error.message}. The features are in the table and on the timeline.`;
@@ -111,8 +116,14 @@ class Viewer {
       return;
     }
     const i = isShifted ? -1 : stage.featureAt(x, y);
-    if (i >= 0) state.set({ selected: i });
-    else state.set({ selected: -1, probe: hit ? nearestCorner(hit) : -1 });
+    if (i >= 0) return state.set({ selected: i });
+    this.selectNone();
+    state.set({ probe: hit ? nearestCorner(hit) : -1 });
+  }
+
+  selectNone() {
+    this.state.set({ selected: -1 });
+    this.companion?.select(-1);
   }
 
   /** All that is said about the scene once. */
@@ -130,7 +141,7 @@ class Viewer {
     for (const map of MAPS) $("map").append(new Option(map[0].toUpperCase() + map.slice(1), map));
     $("duration-ramp").style.background = gradient(durationColor);
     const { min, max } = this.scale;
-    $("duration-legend").hidden = !(max > 0);
+    if (!(max > 0)) $("duration-legend").hidden = true;
     $("shortest").textContent = `${short(min, 2)} s`;
     $("longest").textContent = `${short(max, 2)} s`;
   }
@@ -190,8 +201,8 @@ class Viewer {
   show(changed) {
     const { scene } = this, s = this.state.values;
     if ("features" in changed) {
-      const facts = [count(scene.all_vertices, "vertex", "vertices"), count(scene.frames, "frame"), seconds(scene.duration)];
-      if (s.features) facts.push(count(scene.features.length, "feature"));
+      const facts = this.companion?.facts() ?? [count(scene.all_vertices, "vertex", "vertices"), count(scene.frames, "frame"), seconds(scene.duration)];
+      if (s.features && !this.companion) facts.push(count(scene.features.length, "feature"));
       $("facts").textContent = facts.join(" · ");
       for (const id of ["features-card", "features-table"]) $(id).hidden = !s.features;
     }
@@ -291,8 +302,15 @@ class Viewer {
 
   async savePicture() {
     if (!this.stage) return;
+    const views = [[$("canvas"), $("overlay")]];
+    const text = caption(this.scene, this.state.values);
     this.stage.drawFully();
-    const picture = await composed([$("canvas"), $("overlay")], caption(this.scene, this.state.values));
+    if (this.companion) {
+      this.companion.stage.drawFully();
+      views.push([$("canvas-b"), $("overlay-b")]);
+      text.lines = this.companion.lines();
+    }
+    const picture = await composed(views, text);
     save(fileName(this.scene, [`${this.state.values.time.toFixed(3)}s`], "png"), picture);
   }
 
@@ -319,6 +337,7 @@ class Viewer {
     this.painter.update();
     if (this.stage?.draw(elapsed, this.state.values.playing)) ++this.drawn;
     this.hover?.update();
+    this.companion?.draw(elapsed, this.state.values.playing);
     this.address.update(now);
     requestAnimationFrame((next) => this.tick(next));
   }
@@ -332,7 +351,8 @@ window.animatedMeshFeatures = {
     try {
       // lets the browser show the page before it is busy
       await new Promise((resolve) => setTimeout(resolve));
-      const viewer = new Viewer(await Scene.read(document));
+      const comparison = readComparison(document), scene = await Scene.read(document);
+      const viewer = new Viewer(scene, comparison && { comparison, scene: await Scene.read(document, "scene-b") });
       document.documentElement.dataset.ready = "true";
       viewer.secondsToReady = performance.now() / 1000;
       $("loading").hidden = true;

@@ -6,16 +6,15 @@
 
 // What is drawn flat over the stage: ranks on spheres, trajectories, and the line that is measured.
 
-import { css, durationColor } from "./colors.js";
+import { css } from "./colors.js";
 import { short } from "./format.js";
 
 const LEAST_OPACITY = 0.3; // of a sphere that has its rank on it
 const FONT = "600 12px system-ui, sans-serif";
 
 export class Overlay {
-  constructor(canvas, viewer) {
-    const { scene, state, stage, scale } = viewer;
-    Object.assign(this, { canvas, scene, state, stage, scale, measure: viewer.measure });
+  constructor(canvas, { scene, state, stage, measure = null }) {
+    Object.assign(this, { canvas, scene, state, stage, measure });
   }
 
   /** After each picture of the stage. */
@@ -57,7 +56,7 @@ export class Overlay {
     const labels = this.stage.spheres.shown.filter(({ opacity, index }) => opacity >= LEAST_OPACITY || index === selected);
     labels.sort((a, b) => (b.index === selected) - (a.index === selected) || a.index - b.index);
     for (const { feature, index } of labels) {
-      const { x, y, isInFront } = this.stage.project(feature), text = `${feature.rank}`, half = g.measureText(text).width / 2 + 3;
+      const { x, y, isInFront } = this.stage.project(feature), text = feature.label, half = g.measureText(text).width / 2 + 3;
       if (!isInFront || x < 0 || y < 0 || x > width || y > height) continue;
       if (!this.state.values.hidden && index !== selected && this.stage.isCovered(feature)) continue;
       if (taken.some((t) => Math.abs(t.x - x) < t.half + half && Math.abs(t.y - y) < 15)) continue;
@@ -71,7 +70,7 @@ export class Overlay {
   drawTrails(g) {
     const { selected, time, follow } = this.state.values, f = this.scene.features[selected];
     if (f === undefined) return;
-    const rgb = durationColor(this.scale(f.tau)), d = this.scene.frame_duration;
+    const rgb = f.color, d = this.scene.frame_duration;
     let last = null;
     g.lineCap = "round";
     for (const [k, frame] of this.scene.kept_frames.entries()) {
@@ -105,7 +104,7 @@ export class Overlay {
   }
 
   drawMeasure(g) {
-    const ends = this.measure.ends(this.state.values.time).map((p) => this.stage.projectPlace(p));
+    const ends = (this.measure?.ends(this.state.values.time) ?? []).map((p) => this.stage.projectPlace(p));
     if (ends.length === 0 || ends.some((p) => !p.isInFront)) return;
     const style = getComputedStyle(document.documentElement);
     for (const [width, name] of [[5, "--panel"], [2.5, "--ink"]]) {

@@ -56,22 +56,26 @@ function wrapped(g, lines, width) {
   return result;
 }
 
-/** A PNG of the layers, one over another, on the page's own ground, with the caption beneath. */
-export function composed(layers, { lines, field, map }) {
-  const [first] = layers, ratio = first.width / first.clientWidth, style = getComputedStyle(document.documentElement);
+/** A PNG of views side by side, each of layers one over another, on the page's own ground, with the caption beneath. */
+export function composed(views, { lines, field, map }) {
+  const [[first]] = views, width = views.reduce((sum, [canvas]) => sum + canvas.clientWidth, 0), ratio = first.width / first.clientWidth, style = getComputedStyle(document.documentElement);
   const color = (name) => style.getPropertyValue(name).trim();
   const canvas = document.createElement("canvas"), g = canvas.getContext("2d"), font = "13px system-ui, sans-serif";
   g.font = font;
-  const texts = wrapped(g, lines, first.clientWidth - 2 * PADDING), count = texts.length + (field ? 1 : 0);
+  const texts = wrapped(g, lines, width - 2 * PADDING), count = texts.length + (field ? 1 : 0);
   const height = first.clientHeight + 2 * PADDING + count * LINE - 6;
-  canvas.width = first.width;
+  canvas.width = Math.round(width * ratio);
   canvas.height = Math.round(height * ratio);
   g.setTransform(ratio, 0, 0, ratio, 0, 0);
   g.fillStyle = color("--glow");
-  g.fillRect(0, 0, first.clientWidth, height);
-  for (const layer of layers) g.drawImage(layer, 0, 0, first.clientWidth, first.clientHeight);
+  g.fillRect(0, 0, width, height);
+  let left = 0;
+  for (const layers of views) {
+    for (const layer of layers) g.drawImage(layer, left, 0, layers[0].clientWidth, first.clientHeight);
+    left += layers[0].clientWidth;
+  }
   g.fillStyle = color("--panel");
-  g.fillRect(0, first.clientHeight, first.clientWidth, height - first.clientHeight);
+  g.fillRect(0, first.clientHeight, width, height - first.clientHeight);
   g.font = font;
   g.textBaseline = "alphabetic";
   let y = first.clientHeight + PADDING + 10;

@@ -92,31 +92,33 @@ export const VERTEX_STRIDE = 4;
  * - `features[i].on`: the place of a feature on the page's surface, which may have fewer vertices than the file's.
  */
 export class Scene {
-  static async read(document) {
+  /** The scene whose scripts have ids that begin with `name`. */
+  static async read(document, name = "scene") {
     const text = (id) => {
       const element = document.getElementById(id);
       if (element === null) throw new Error("This page has no scene in it. It is made by: detect_features --html FILE");
       return element.textContent;
     };
     const scene = new Scene();
-    Object.assign(scene, JSON.parse(text("scene")));
+    Object.assign(scene, JSON.parse(text(name)));
     scene.features.forEach((f, i) => {
       f.rank ??= i + 1;
+      f.label = `${f.rank}`; // on its sphere
       f.on = scene.places?.[i] ?? { triangle: f.triangle, barycentric_coordinates: f.barycentric_coordinates };
     });
     for (const field of scene.fields) field.top_level ??= 255;
     const bytes = (id, size) => decompressed(bytesOfBase64(text(id)), size);
 
     const n = scene.vertices, kept = scene.kept_frames.length;
-    const faceBytes = bytes("scene-faces", 12 * scene.faces);
-    const positionBytes = bytes("scene-positions", 6 * n * kept);
-    const restBytes = bytes("scene-rest", 6 * n);
-    const fieldBytes = scene.fields.map((_, i) => bytes(`scene-field-${i}`, n * kept));
+    const faceBytes = bytes(`${name}-faces`, 12 * scene.faces);
+    const positionBytes = bytes(`${name}-positions`, 6 * n * kept);
+    const restBytes = bytes(`${name}-rest`, 6 * n);
+    const fieldBytes = scene.fields.map((_, i) => bytes(`${name}-field-${i}`, n * kept));
 
     scene.isThinned = scene.all_vertices !== undefined;
     scene.all_vertices ??= n;
     scene.all_faces ??= scene.faces;
-    if (scene.isThinned) scene.names = summed(await bytes("scene-vertices", 4 * n));
+    if (scene.isThinned) scene.names = summed(await bytes(`${name}-vertices`, 4 * n));
     scene.faces = summed(await faceBytes);
     const parents = parentsOf(scene.faces, n);
     const residuals = numbersOfPlanes(await positionBytes, 2);

@@ -7,7 +7,6 @@
 // Features as spheres of glass on the surface.
 
 import * as THREE from "three";
-import { durationColor } from "./colors.js";
 
 const VERTEX_SHADER = /* glsl */ `
   attribute vec4 place;  // centre and radius
@@ -50,9 +49,8 @@ const FRAGMENT_SHADER = /* glsl */ `
 const SEEN_THROUGH = 0.3, SELECTED_THROUGH = 0.7;
 
 export class Spheres {
-  constructor(scene, scale) {
+  constructor(scene) {
     this.scene = scene;
-    this.colors = scene.features.map((f) => durationColor(scale(f.tau)));
     const n = Math.max(scene.features.length, 1);
     const ball = new THREE.SphereGeometry(1, 24, 14);
     this.geometry = new THREE.InstancedBufferGeometry();
@@ -111,7 +109,7 @@ export class Spheres {
     this.shown.sort((a, b) => b.centre.distanceToSquared(camera.position) - a.centre.distanceToSquared(camera.position));
     this.shown.forEach(({ index, feature, centre, opacity }, i) => {
       this.place.setXYZW(i, centre.x, centre.y, centre.z, feature.radius);
-      this.tint.setXYZW(i, ...this.colors[index], opacity);
+      this.tint.setXYZW(i, ...feature.color, opacity);
       this.mark.setX(i, index === selected ? 1 : 0);
     });
     for (const attribute of [this.place, this.tint, this.mark]) attribute.needsUpdate = true;

@@ -38,7 +38,7 @@ function isSoftwareRenderer() {
 }
 
 export class Stage {
-  constructor(canvas, scene, state, scale) {
+  constructor(canvas, scene, state) {
     this.canvas = canvas;
     this.scene = scene;
     this.state = state;
@@ -50,7 +50,7 @@ export class Stage {
     this.world = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(FIELD_OF_VIEW, 1, 0.01, 100);
     this.surface = new Surface(scene);
-    this.spheres = new Spheres(scene, scale);
+    this.spheres = new Spheres(scene);
     this.world.add(this.surface.mesh, this.surface.wires, this.spheres.group);
     this.makeControls();
     this.pixels = 1;
@@ -58,6 +58,8 @@ export class Stage {
     this.body = this.bodySize();
     state.set({ up: scene.view?.up ?? upAxis(scene.boxes) });
     this.ground = null;
+    this.told = null; // the direction to the camera when the whole body is shown, if somebody else says so
+    this.home = { target: new THREE.Vector3(), distance: 1 }; // of that view; the target as from what is followed
     this.onClick = () => {}; // what a click without a drag does, where on the canvas; with the shift key?
     this.onDrawn = () => {};
     this.addPointer();
@@ -94,7 +96,11 @@ export class Stage {
       this.surface.setTime(s.time);
       if (s.follow) this.followTo(this.followedCentre(s.time));
     }
-    if ("follow" in changed) this.followed = s.follow ? this.followedCentre(s.time) : null;
+    if ("follow" in changed) {
+      this.home?.target.add(this.origin());
+      this.followed = s.follow ? this.followedCentre(s.time) : null;
+      this.home?.target.sub(this.origin());
+    }
     if ("field" in changed) this.surface.setField(s.field);
     if ("map" in changed) this.surface.setMap(s.map);
     if ("wires" in changed) this.surface.wires.visible = s.wires;
@@ -199,11 +205,13 @@ export class Stage {
     // along the longer horizontal side
     const up = this.state.values.up;
     const isWide = up === "y" ? size[0] >= size[2] : size[0] >= size[1];
-    const told = this.scene.view?.up === up ? this.scene.view.direction : undefined;
+    const told = this.told ?? (this.scene.view?.up === up ? this.scene.view.direction : undefined);
     const direction = told ? new THREE.Vector3(...told) : up === "y"
       ? new THREE.Vector3(isWide ? 0.45 : 1, 0.28, isWide ? 1 : 0.45)
       : new THREE.Vector3(isWide ? 0.45 : 1, isWide ? -1 : -0.45, 0.28);
-    this.look(target, direction.normalize(), this.distanceFor(box, target, direction));
+    const distance = this.distanceFor(box, target, direction.normalize());
+    this.home = { target: target.clone().sub(this.origin()), distance };
+    this.look(target, direction, distance);
     this.framed = true;
     this.touched = false;
   }
@@ -263,19 +271,37 @@ export class Stage {
     return lifted;
   }
 
-  /** The eye and what it looks at, against the body while that is followed; null if nobody has moved it. */
+  /** From where views are measured: the body while that is followed. */
+  origin() {
+    return this.followed ?? new THREE.Vector3();
+  }
+
+  /** The eye and what it looks at; null if nobody has moved it. */
   ownView() {
     if (!this.touched) return null;
-    const from = this.followed ?? new THREE.Vector3();
+    const from = this.origin();
     return [this.camera.position, this.controls.target].flatMap((p) => p.clone().sub(from).toArray());
   }
 
   setView(numbers) {
-    const from = this.followed ?? new THREE.Vector3();
+    const from = this.origin();
     const [eye, target] = [0, 3].map((i) => new THREE.Vector3(...numbers.slice(i, i + 3)).add(from));
     const direction = eye.sub(target), distance = direction.length();
     if (!(distance > 0)) return;
     this.look(target, direction.normalize(), distance);
+    this.framed = this.touched = true;
+  }
+
+  /** The view relative to that of the whole body, for another body: direction, target, distance. */
+  relativeView() {
+    const { target } = this.controls, { home } = this, offset = this.camera.position.clone().sub(target), distance = offset.length();
+    const moved = target.clone().sub(this.origin()).sub(home.target).divideScalar(home.distance);
+    return { direction: offset.divideScalar(distance).toArray(), moved: moved.toArray(), distance: distance / home.distance };
+  }
+
+  setRelativeView({ direction, moved, distance }) {
+    const { home } = this, target = new THREE.Vector3(...moved).multiplyScalar(home.distance).add(home.target).add(this.origin());
+    this.look(target, new THREE.Vector3(...direction).normalize(), distance * home.distance);
     this.framed = this.touched = true;
   }
 

@@ -8,7 +8,7 @@
 // selected one.
 
 import { COLUMNS, cellText, groupedByPlace, nextSort, sortKey, sorted } from "./columns.js";
-import { css, durationColor } from "./colors.js";
+import { css } from "./colors.js";
 import { count, seconds, short } from "./format.js";
 
 const MOST_ROWS = 1000; // more are slow to lay out, and nobody reads them
@@ -20,10 +20,12 @@ function element(name, properties = {}, ...children) {
 }
 
 export class Table {
-  constructor({ head, body, note, grouped }, scene, state, scale, onPick) {
-    Object.assign(this, { head, body, note, grouped, scene, state, scale, onPick, order: [], rows: new Map() });
+  constructor({ head, body, note, grouped }, scene, state, onPick) {
+    Object.assign(this, { head, body, note, grouped, scene, state, onPick, order: [], rows: new Map() });
+    const hasPairs = scene.features.some((f) => f.pair !== undefined);
+    this.columns = COLUMNS.filter(({ key }) => key !== (hasPairs ? "place" : "pair")); // there is no room for both
     this.strongest = scene.features[0]?.strength ?? 0;
-    head.append(...COLUMNS.map((column) => this.headCell(column)));
+    head.append(...this.columns.map((column) => this.headCell(column)));
     grouped.disabled = scene.features.every((f) => f.place === undefined);
     grouped.addEventListener("change", () => state.set({ grouped: grouped.checked }));
     state.subscribe((changed) => {
@@ -82,14 +84,14 @@ export class Table {
   }
 
   row(i, className) {
-    const f = this.scene.features[i], color = css(durationColor(this.scale(f.tau)));
+    const f = this.scene.features[i], color = css(f.color);
     const dot = element("span", { className: f.at_scale_limit ? "dot limit" : "dot" });
     dot.style.setProperty("--dot", color);
     const button = element("button", { type: "button", className: "rank", tabIndex: -1 }, dot, `${f.rank}`);
     const limit = f.at_scale_limit ? ", at a limit of the scales" : "";
     button.setAttribute("aria-label", `${f.rank}: feature of strength ${short(f.strength)}, at ${f.time.toFixed(2)} seconds${limit}: show`);
     if (limit) button.title = "Found at the smallest or largest scale that was searched";
-    const cells = COLUMNS.map((column) => {
+    const cells = this.columns.map((column) => {
       if (column.key === "rank") return element("th", { scope: "row" }, button);
       if (column.key !== "strength") return element("td", {}, cellText(column, f));
       const bar = element("span", { className: "bar" });
@@ -106,14 +108,14 @@ export class Table {
   timesRow(place, members) {
     const buttons = members.map((i) => {
       const f = this.scene.features[i], button = element("button", { type: "button", className: "chip" }, `${f.time.toFixed(2)} s`);
-      button.style.setProperty("--dot", css(durationColor(this.scale(f.tau))));
+      button.style.setProperty("--dot", css(f.color));
       button.setAttribute("aria-label", `${f.time.toFixed(2)} s: feature ${f.rank} at place ${place}: show`);
       button.addEventListener("click", () => this.onPick(i));
       button.dataset.index = `${i}`;
       this.rows.get(i).push(button);
       return button;
     });
-    const cell = element("td", { colSpan: COLUMNS.length }, element("div", { className: "chips" }, `${members.length} times`, ...buttons));
+    const cell = element("td", { colSpan: this.columns.length }, element("div", { className: "chips" }, `${members.length} times`, ...buttons));
     return element("tr", { className: "times" }, cell);
   }
 
@@ -139,8 +141,9 @@ export class Table {
 }
 
 export class Details {
-  constructor(panel, scene, state, onPick) {
-    Object.assign(this, { panel, scene, state, onPick });
+  /** `name`: which animation it is of, if there are several. */
+  constructor(panel, scene, state, onPick, name = "") {
+    Object.assign(this, { panel, scene, state, onPick, name });
     state.subscribe((changed) => {
       if ("selected" in changed) this.show();
     });
@@ -151,7 +154,7 @@ export class Details {
     const i = this.state.values.selected, f = this.scene.features[i];
     this.panel.hidden = f === undefined;
     if (f === undefined) return;
-    this.panel.querySelector("h2").textContent = `Feature ${f.rank}`;
+    this.panel.querySelector("h2").textContent = `${this.name ? `${this.name}, feature` : "Feature"} ${f.rank}`;
     const numbers = [
       ["Strength", short(f.strength, 4), "strength", "amplitude times fit"],
       ["Amplitude", short(f.amplitude ?? NaN, 4), "amplitude", "how much more than at its least the surface is deformed"],
@@ -164,6 +167,7 @@ export class Details {
       ["Radius √2 σ", short(f.radius, 4), "radius"],
       ["Place", this.placeText(f), "place", "features at one place at different times"],
       ["Part of", this.parentCell(f), "parent", "the strongest feature of another scale in which this one lies"],
+      ...(f.pair === undefined ? [] : [["Pair", `${f.pair ?? "none"}`, "pair", "features of both animations that show the same event"]]),
       ["Position", f.position.map((x) => short(x)).join(", "), "position", "on the surface at its time"],
     ];
     this.panel.querySelector("dl").replaceChildren(

@@ -7,16 +7,20 @@
 // All features over time: a bar from time - tau to time + tau at the height of its strength. While somebody paints, a strip
 // at the bottom shows when there is paint.
 
-import { css, durationColor } from "./colors.js";
+import { css } from "./colors.js";
 import { PAINT } from "./surface.js";
-import { short } from "./format.js";
+import { pairText, short } from "./format.js";
 
 export const MARGIN = 10; // pixels, left and right, as far as the thumb of the slider beneath needs
 const BAR = 5, REACH = 7, STRIP = 6; // pixels
 
 export class Timeline {
-  constructor(canvas, scene, state, scale, onPick) {
-    Object.assign(this, { canvas, scene, state, scale });
+  /**
+   * `axis` says what is seen along it: how long it is, whose time it is (a state), and which time of it is which of the
+   * scene; `name`, if there are several, whose features these are. Default: the scene's own.
+   */
+  constructor(canvas, scene, state, onPick, axis = { duration: scene.duration, state, of: (time) => time, name: "" }) {
+    Object.assign(this, { canvas, scene, state, axis });
     this.strongest = scene.features.reduce((most, f) => Math.max(most, f.strength), 0);
     this.hovered = -1;
     new ResizeObserver(() => this.draw()).observe(canvas);
@@ -49,16 +53,20 @@ export class Timeline {
   describe(i) {
     const f = this.scene.features[i];
     const place = f.place === undefined ? "" : `, place ${f.place}`;
-    return `Feature ${f.rank}: ${f.time.toFixed(3)} s, τ ${short(f.tau)} s, strength ${short(f.strength)}${place}`;
+    return `${pairText(f)}Feature ${f.rank}: ${f.time.toFixed(3)} s, τ ${short(f.tau)} s, strength ${short(f.strength)}${place}`;
   }
 
   seek(x) {
     const share = (x - MARGIN) / (this.canvas.clientWidth - 2 * MARGIN);
-    this.state.set({ time: Math.min(Math.max(share, 0), 1) * this.scene.duration, playing: false });
+    this.axis.state.set({ time: Math.min(Math.max(share, 0), 1) * this.axis.duration, playing: false });
   }
 
   x(time) {
-    return MARGIN + (time / this.scene.duration) * (this.canvas.clientWidth - 2 * MARGIN);
+    return this.along(this.axis.of(time));
+  }
+
+  along(time) {
+    return MARGIN + (time / this.axis.duration) * (this.canvas.clientWidth - 2 * MARGIN);
   }
 
   y(strength) {
@@ -86,7 +94,7 @@ export class Timeline {
     }
     const g = this.canvas.getContext("2d"), style = getComputedStyle(document.documentElement);
     const color = (name) => style.getPropertyValue(name).trim();
-    const { time, features, painting } = this.state.values;
+    const { features, painting } = this.state.values, now = this.along(this.axis.state.values.time);
     g.setTransform(ratio, 0, 0, ratio, 0, 0);
     g.clearRect(0, 0, width, height);
     this.drawSeconds(g, height, color);
@@ -95,8 +103,8 @@ export class Timeline {
     g.strokeStyle = color("--ink");
     g.lineWidth = 2;
     g.beginPath();
-    g.moveTo(this.x(time), 0);
-    g.lineTo(this.x(time), height);
+    g.moveTo(now, 0);
+    g.lineTo(now, height);
     g.stroke();
   }
 
@@ -114,7 +122,7 @@ export class Timeline {
     g.lineCap = "round";
     const order = this.scene.features.map((_, i) => i).reverse(); // the strongest on top
     for (const i of order) {
-      const f = this.scene.features[i], y = this.y(f.strength), rgb = durationColor(this.scale(f.tau));
+      const f = this.scene.features[i], y = this.y(f.strength), rgb = f.color;
       const isMarked = i === selected || i === this.hovered;
       const alpha = shown[i] ? 1 : 0.22;
       const isSibling = place !== undefined && f.place === place && shown[i]; // the selected place at another time
@@ -168,7 +176,9 @@ export class Timeline {
       g.lineTo(x, height);
       g.stroke();
       const text = `${+(i * step).toPrecision(6)} s`;
-      if (x + 4 + g.measureText(text).width < this.canvas.clientWidth) g.fillText(text, x + 3, 1);
+      if (x + (this.axis.name ? 24 : 4) + g.measureText(text).width < this.canvas.clientWidth) g.fillText(text, x + 3, 1);
     }
+    g.font = "600 11px system-ui, sans-serif";
+    g.fillText(this.axis.name, this.canvas.clientWidth - 14, 1);
   }
 }

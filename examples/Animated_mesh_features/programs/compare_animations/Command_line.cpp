@@ -11,6 +11,7 @@
 #include "compare_animations/commands.h"
 #include "compare_animations/write_matrix.h"
 #include "options/Option_groups.h"
+#include "output/Pair_page.h"
 #include "output/check_outputs.h"
 #include "plots/plot_format.h"
 #include "running/Interruption.h"
@@ -118,6 +119,13 @@ void add_options(Option_groups& groups, Settings& s)
              [&](const Argument& a) { s.json = a.text(); });
   output.add("plot", "FILE", "matrix: draw it and an embedding in the plane: .svg, .pdf or .png by the ending",
              [&](const Argument& a) { set_plot(a, s); });
+  output.add("html", "FILE",
+             "two animations: write a page that plays both, side by side, through the alignment, with matched features "
+             "in one colour",
+             [&](const Argument& a) {
+               Programs::check_pair_page();
+               s.html = a.text();
+             });
   output.add("write-descriptors", "FILE.npy", "describe: write the descriptors as NumPy array, features x length",
              [&](const Argument& a) { s.descriptors = a.text(); });
   output.add("cache", "FOLDER",
@@ -168,6 +176,7 @@ void check_words(Mode mode, const Settings& s)
     throw AMF::Option_error("--clip all goes with collections");
   if (s.check && mode != Mode::PAIR) throw AMF::Option_error("--check goes with two animations");
   if (!s.plot.empty() && mode != Mode::MATRIX) throw AMF::Option_error("--plot goes with matrix");
+  if (!s.html.empty() && mode != Mode::PAIR) throw AMF::Option_error("--html goes with two animations");
   if (!s.descriptors.empty() && mode != Mode::DESCRIBE)
     throw AMF::Option_error("--write-descriptors goes with describe");
 }
@@ -199,6 +208,7 @@ void write(const Result& result, const std::string& descriptors, const Settings&
 #ifdef DETECT_FEATURES_WITH_PICTURES
   if (!s.plot.empty()) write_matrix(open(s.plot), *result.matrix, Programs::plot_format("--plot", s.plot));
 #endif
+  if (!s.html.empty()) open(s.html).write(result.page.data(), std::streamsize(result.page.size()));
   if (!s.descriptors.empty()) open(s.descriptors).write(descriptors.data(), std::streamsize(descriptors.size()));
   for (const auto& file : files) {
     file->stream().flush();
@@ -214,7 +224,7 @@ void run(Mode mode, Settings& s)
   check(s.method);
   check_comparison(s);
   std::vector<std::string> outputs;
-  for (const std::string& path : {s.json, s.plot, s.descriptors})
+  for (const std::string& path : {s.json, s.plot, s.html, s.descriptors})
     if (!path.empty()) outputs.push_back(path);
   std::vector<Item> items;
   for (std::size_t i = 0; i < s.words.size(); ++i) { // lists and clips are looked at later
@@ -230,7 +240,7 @@ void run(Mode mode, Settings& s)
   const Result result = found(mode, s, descriptors);
   Programs::Interruption::check();
   write(result, descriptors, s);
-  if (!s.run.quiet && s.json != "-" && s.plot != "-" && s.descriptors != "-")
+  if (!s.run.quiet && s.json != "-" && s.plot != "-" && s.html != "-" && s.descriptors != "-")
     std::cout << Programs::terminal_text(result.text) << std::flush;
   if (result.broken > 0)
     throw AMF::Input_error(Programs::counted(result.broken, "animation was", "animations were") + " left out");
@@ -244,6 +254,7 @@ std::string overview()
   return R"(compare_animations compares animations of whatever meshes: matched features, alignment in time, distances.
 
   compare_animations A B [options]                  two animations
+  compare_animations A B --html FILE [options]      the same to look at, side by side in a browser
   compare_animations A B --check --tolerance T      two takes of a motion; exit code 1 if an event differs by more
   compare_animations matrix COLLECTION [options]    all pairs of a collection
   compare_animations query A COLLECTION [options]   what is most like A

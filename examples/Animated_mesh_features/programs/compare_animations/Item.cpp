@@ -207,16 +207,19 @@ void add_folder(const fs::path& folder, const Programs::Reading_options& common,
   }
 }
 
+std::string path_name(const Item& i)
+{
+  const std::string& path = i.feature_file.empty() ? i.reading.inputs.back() : i.feature_file;
+  return path + (i.reading.clip.empty() ? "" : "/" + i.reading.clip);
+}
+
 // Names are those of files; where these are the same, of their folders, too.
 void make_unique(std::vector<Item>& items)
 {
   std::map<std::string, std::size_t> count;
   for (const Item& i : items) ++count[i.name];
-  for (Item& i : items) {
-    if (count[i.name] < 2) continue;
-    const std::string& path = i.feature_file.empty() ? i.reading.inputs.back() : i.feature_file;
-    i.name = path + (i.reading.clip.empty() ? "" : "/" + i.reading.clip);
-  }
+  for (Item& i : items)
+    if (count[i.name] > 1) i.name = path_name(i);
   std::map<std::string, std::size_t> again;
   for (const Item& i : items)
     if (++again[i.name] > 1) throw AMF::Option_error(i.name + " is in the collection twice");
@@ -248,6 +251,13 @@ Item item(const std::string& word, const Programs::Reading_options& common)
     check(result.reading);
   }
   return result;
+}
+
+void tell_apart(Item& a, Item& b)
+{
+  if (a.name != b.name || path_name(a) == path_name(b)) return;
+  a.name = path_name(a);
+  b.name = path_name(b);
 }
 
 std::vector<Item> collection(const std::vector<std::string>& words, const Programs::Reading_options& common)

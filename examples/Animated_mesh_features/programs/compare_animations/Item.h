@@ -27,6 +27,9 @@ struct Item
 // throws Input_error if there is no such file; Option_error.
 Item item(const std::string& word, const Programs::Reading_options& common);
 
+// Two of the same name get their paths as names, unless these are the same, too.
+void tell_apart(Item& a, Item& b);
+
 // What a collection consists of: a folder with any of these, a list of them (.txt), a model of which all clips are
 // asked for. Names are unique.
 // throws Input_error, also if there is nothing in it; Option_error.

@@ -24,6 +24,7 @@ struct Result
   std::string text;                      // a table, for people
   Json json = Json::object();            // the same for programs
   std::optional<Distance_matrix> matrix; // what --plot draws
+  std::string page;                      // what --html writes
   std::size_t broken = 0;                // how many animations were left out
   std::string failure;                   // of a check: what exceeds the tolerance
 };

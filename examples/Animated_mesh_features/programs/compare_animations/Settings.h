@@ -38,8 +38,8 @@ struct Settings
   CGAL::Animated_mesh_features::Event_gates gates;
   bool is_oriented = false; // the descriptor
 
-  std::string cache;                   // folder; empty: none; "beside": next to each animation
-  std::string json, plot, descriptors; // files; empty: none
+  std::string cache;                         // folder; empty: none; "beside": next to each animation
+  std::string json, plot, html, descriptors; // files; empty: none
 
   bool check = false;
   double tolerance = 0;

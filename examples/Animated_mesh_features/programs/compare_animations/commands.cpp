@@ -6,11 +6,15 @@
 
 #include "compare_animations/commands.h"
 
+#include "compare_animations/Analysed_animation.h"
 #include "compare_animations/Item.h"
 #include "compare_animations/make_signature.h"
+#include "compare_animations/notices.h"
+#include "output/Pair_page.h"
 #include "running/Interruption.h"
 #include "running/Progress_bar.h"
 #include "running/counted.h"
+#include "running/tell.h"
 
 #include <CGAL/Animated_mesh_features/Applications/align_events.h>
 #include <CGAL/Animated_mesh_features/Applications/animation_distance.h>
@@ -27,6 +31,7 @@
 #include <cstddef>
 #include <iomanip>
 #include <locale>
+#include <memory>
 #include <numeric>
 #include <sstream>
 
@@ -193,13 +198,23 @@ Result compare_pair(const Settings& s)
   Result result;
   Signature signatures[2];
   std::string names[2];
+  std::unique_ptr<Analysed_animation> animations[2];
+  std::vector<Item> items = {item(s.words[0], s.reading), item(s.words[1], s.reading)};
+  tell_apart(items[0], items[1]);
   for (int i = 0; i < 2; ++i) {
-    const Item one = item(s.words[std::size_t(i)], s.reading);
+    const Item& one = items[std::size_t(i)];
     names[i] = one.name;
-    signatures[i] = make_signature(one, s);
+    if (s.html.empty())
+      signatures[i] = make_signature(one, s);
+    else if (one.feature_file.empty())
+      signatures[i] = make_signature(one, s, animations[i]);
+    else
+      throw AMF::Option_error("--html: " + one.feature_file +
+                              " is a file of features alone; there is no surface to be shown, name the animation");
     Programs::Interruption::check();
   }
   const Signature &a = signatures[0], &b = signatures[1];
+  if (!s.run.quiet) Programs::tell(notice_of_kinds(items) + notice_of_clocks(a, b));
   const AMF::Time_alignment alignment = AMF::align_animations(a.activity, b.activity, s.alignment);
   const double distance = AMF::animation_distance(a.activity, b.activity, s.distance);
   const std::vector<AMF::Feature_match> matches = AMF::match_features(a.events, b.events, s.matching);
@@ -249,6 +264,9 @@ Result compare_pair(const Settings& s)
   text << "\nevents in the same order: " << events.pairs.size() << ", of A only " << events.only_a.size()
        << ", of B only " << events.only_b.size() << "\n";
   add_differences(differences, a, b, s, result, text);
+  if (!s.html.empty())
+    result.page =
+        Programs::pair_page(animations[0]->scene(s.matching.top), animations[1]->scene(s.matching.top), result.json);
   result.text = text.str();
   return result;
 }
@@ -259,6 +277,7 @@ Result compare_all(const Settings& s)
   std::vector<Item> items = collection(s.words, s.reading);
   std::vector<Signature> signatures;
   result.broken = make_signatures(items, signatures, s);
+  if (!s.run.quiet) Programs::tell(notice_of_kinds(items));
   if (items.size() < 2)
     throw AMF::Input_error("the collection has " + counted(items.size(), "animation", "animations") +
                            " that can be read; at least two are compared");
@@ -298,6 +317,9 @@ Result rank(const Settings& s)
   std::vector<Item> items = collection({s.words.begin() + 1, s.words.end()}, s.reading);
   std::vector<Signature> signatures;
   result.broken = make_signatures(items, signatures, s);
+  std::vector<Item> all = items;
+  all.push_back(one);
+  if (!s.run.quiet) Programs::tell(notice_of_kinds(all));
   if (items.empty()) throw AMF::Input_error("nothing of the collection can be read");
   std::vector<double> distances;
   for (const Signature& x : signatures)

@@ -6,23 +6,21 @@
 
 #include "compare_animations/make_signature.h"
 
+#include "compare_animations/Analysed_animation.h"
 #include "compare_animations/Signature_cache.h"
-#include "detect_features/detect.h"
-#include "output/Result_files.h"
-#include "output/Wanted_fields.h"
-#include "reading/Animation.h"
-#include "reading/Memory_plan.h"
 #include "running/Interruption.h"
-#include "running/Monitor.h"
 #include "running/Progress_bar.h"
-#include "running/Stage_log.h"
 #include "running/tell.h"
 
 #include <CGAL/Animated_mesh_features/IO/read_json.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
-#include <utility>
+#include <memory>
+#include <string>
 
 namespace AMF = CGAL::Animated_mesh_features;
 using namespace Programs;
@@ -30,6 +28,35 @@ using namespace Programs;
 namespace Compare_animations {
 
 namespace {
+
+// Whether the features lie no farther apart than the animation is large.
+void check_units(const AMF::IO::Feature_file_data& data, const std::string& file)
+{
+  std::array<double, 3> low{}, high{};
+  for (std::size_t i = 0; i < data.features.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double x = data.features[i].rest_position[k];
+      low[k] = i == 0 ? x : (std::min)(low[k], x);
+      high[k] = i == 0 ? x : (std::max)(high[k], x);
+    }
+  const double extent = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  if (extent > 1.01 * data.description.bounding_box_diagonal)
+    throw AMF::Input_error(file + ": features are " + std::to_string(extent) +
+                           " apart at rest, and the bounding box has a diagonal of " +
+                           std::to_string(data.description.bounding_box_diagonal) + ": lengths have different units");
+}
+
+// Errors of what knows of no files name `file`.
+template <class Compute>
+Signature named(const std::string& file, const Compute& compute)
+{
+  try {
+    return compute();
+  } catch (const AMF::Input_error& e) {
+    throw AMF::Input_error(file + ": " + e.what() +
+                           " (--rate tells how many there are in a second, --fps how many frames)");
+  }
+}
 
 Signature signature_of_features(const Item& item, const Settings& s)
 {
@@ -42,31 +69,11 @@ Signature signature_of_features(const Item& item, const Settings& s)
   if (d.frames < 3 || !(d.frame_duration > 0) || !(d.bounding_box_diagonal > 0))
     throw AMF::Input_error(item.feature_file + ": the animation has " + std::to_string(d.frames) +
                            " frames, or no size, or no time between frames; there is nothing to compare");
-  return AMF::animation_signature(data.features, d.vertices, d.frames, d.frame_duration, d.bounding_box_diagonal,
-                                  s.activity);
-}
-
-Signature signature_of_animation(const Item& item, const Settings& s)
-{
-  Memory_plan plan(s.run.memory,
-                   s.run.scratch_directory.empty() ? default_scratch_directory() : s.run.scratch_directory);
-  const Animation animation(item.reading,
-                            [&](std::size_t vertices, std::size_t frames) { return plan.decide(vertices, frames, 1); });
-  plan.refine(animation.sequence().rest_shape());
-  Stage_log log;
-  Output_options outputs; // of nothing, but the deformation is kept as for a page
-  Result_files files(outputs);
-  outputs.scenes.push_back({Scene_format::HTML, ""});
-  Wanted_fields fields(outputs, files, log);
-  Monitor monitor(log, false);
-  const Detect_features::Detection detection =
-      Detect_features::detect(animation.sequence(), s.method, plan.level_memory(), fields, monitor);
-  const std::vector<AMF::Feature_point> features(detection.features.begin(), detection.features.end());
-  const auto make = [&](const auto& descriptor) {
-    return AMF::animation_signature(animation.sequence().rest_shape(), fields.kept().front().values,
-                                    animation.sequence().frame_duration(), features, s.activity, descriptor);
-  };
-  return s.is_oriented ? make(AMF::Oriented_gradient_histogram()) : make(AMF::Rotation_free_gradient_histogram());
+  check_units(data, item.feature_file);
+  return named(item.feature_file, [&] {
+    return AMF::animation_signature(data.features, d.vertices, d.frames, d.frame_duration, d.bounding_box_diagonal,
+                                    s.activity);
+  });
 }
 
 } // namespace
@@ -77,7 +84,17 @@ Signature make_signature(const Item& item, const Settings& s)
   const Signature_cache cache(item, s);
   Signature result;
   if (cache.find(result)) return result;
-  result = signature_of_animation(item, s);
+  const Analysed_animation animation(item, s);
+  result = named(item.reading.inputs.back(), [&] { return animation.signature(s); });
+  cache.keep(result);
+  return result;
+}
+
+Signature make_signature(const Item& item, const Settings& s, std::unique_ptr<Analysed_animation>& animation)
+{
+  const Signature_cache cache(item, s);
+  animation = std::make_unique<Analysed_animation>(item, s);
+  const Signature result = named(item.reading.inputs.back(), [&] { return animation->signature(s); });
   cache.keep(result);
   return result;
 }

@@ -7,13 +7,14 @@
 #ifndef COMPARE_ANIMATIONS_MAKE_SIGNATURE_H
 #define COMPARE_ANIMATIONS_MAKE_SIGNATURE_H
 
+#include "compare_animations/Analysed_animation.h"
 #include "compare_animations/Item.h"
 #include "compare_animations/Settings.h"
 
 #include <CGAL/Animated_mesh_features/Applications/Animation_signature.h>
 
-#include <optional>
-#include <string>
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace Compare_animations {
@@ -23,6 +24,9 @@ typedef CGAL::Animated_mesh_features::Animation_signature Signature;
 // Reads an animation, detects its features and describes them, or takes what the cache has; or reads a file of
 // features. throws Error.
 Signature make_signature(const Item& item, const Settings& settings);
+
+// The same of an animation that is to be shown, too, and is not a file of features. throws Error.
+Signature make_signature(const Item& item, const Settings& settings, std::unique_ptr<Analysed_animation>& animation);
 
 // The same for all of a collection. What cannot be read is told on the standard error output and left out of both
 // lists. returns how many were left out.

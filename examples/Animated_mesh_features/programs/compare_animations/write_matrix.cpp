@@ -38,7 +38,7 @@ public:
                "Distances of animations")
   {
     m_canvas.text(margin, 38, "Distances of animations", m_style.heading());
-    m_canvas.text(margin, 60, std::to_string(m.size()) + " animations", m_style.dim_text());
+    m_canvas.text(margin, 60, std::to_string(m.size()) + " animations, columns as rows", m_style.dim_text());
     for (double x : m.distances) m_largest = (std::max)(m_largest, x);
     draw_cells();
     draw_key();
@@ -97,6 +97,43 @@ private:
     return name.substr(0, (std::min)(name.find("__"), name.find('/')));
   }
 
+  static std::string short_name(const std::string& name)
+  {
+    const std::string group = group_of(name);
+    return group.size() < name.size() ? name.substr(group.size() + 1 + (name[group.size()] == '_')) : name;
+  }
+
+  struct Box
+  {
+    double left, top, right, bottom;
+
+    bool overlaps(const Box& b) const { return left < b.right && b.left < right && top < b.bottom && b.top < bottom; }
+    bool contains(const Box& b) const
+    {
+      return left <= b.left && b.right <= right && top <= b.top && b.bottom <= bottom;
+    }
+  };
+
+  // A name beside its circle where it lies on nothing else. returns whether there is room; the matrix has all names.
+  bool draw_name(const std::array<double, 2>& centre, const std::string& name, const Text_style& style,
+                 const Box& plane)
+  {
+    const double width = m_canvas.text_width(name, style), height = capital_height * style.size, distance = 7;
+    const double sides[8][2] = {{1, 0}, {-1, 0}, {0, -1}, {0, 1}, {1, -1}, {1, 1}, {-1, -1}, {-1, 1}};
+    for (const auto& side : sides) {
+      const double shift = side[0] != 0 && side[1] != 0 ? 0.6 * distance : distance;
+      const double x = centre[0] + side[0] * (shift + width / 2) - width / 2;
+      const double y = centre[1] + side[1] * (shift + height / 2) - height / 2;
+      const Box box = {x - 1, y - 1, x + width + 1, y + height + 2}; // letters go below the base line, too
+      const bool is_free = std::none_of(m_taken.begin(), m_taken.end(), [&](const Box& b) { return b.overlaps(box); });
+      if (!is_free || !plane.contains(box)) continue;
+      m_taken.push_back(box);
+      m_canvas.text(x, y + height, name, style);
+      return true;
+    }
+    return false;
+  }
+
   void draw_plane()
   {
     const double left = m_left + m_side + gap;
@@ -110,8 +147,7 @@ private:
     for (int k = 0; k < 2; ++k) low[k] -= (extent - (high[k] - low[k])) / 2; // in the middle
     m_canvas.text(left, top - 8, "in the plane, by classical scaling", m_style.dim_text());
     std::vector<std::string> groups;
-    Text_style style = m_style.text();
-    style.size = (std::max)(7., (std::min)(11., m_text_size));
+    std::vector<std::array<double, 2>> centres;
     for (std::size_t i = 0; i < m_matrix.size(); ++i) {
       const std::string group = group_of(m_matrix.names[i]);
       std::size_t g = std::size_t(std::find(groups.begin(), groups.end(), group) - groups.begin());
@@ -119,12 +155,18 @@ private:
       const double x = left + 8 + (m_matrix.places[i][0] - low[0]) / extent * (m_plane - 16);
       const double y = top + m_plane - 8 - (m_matrix.places[i][1] - low[1]) / extent * (m_plane - 16);
       m_canvas.circle(x, y, 4, {group_colour(g), 1, false}, group_colour(g), 0.85);
-      const bool has_groups = group.size() < m_matrix.names[i].size();
-      m_canvas.text(x + 7, y + capital_height * style.size / 2,
-                    has_groups ? m_matrix.names[i].substr(group.size() + 1 + (m_matrix.names[i][group.size()] == '_'))
-                               : m_matrix.names[i],
-                    style);
+      centres.push_back({{x, y}});
+      m_taken.push_back({x - 4, y - 4, x + 4, y + 4});
     }
+    Text_style style = m_style.text();
+    style.size = (std::max)(8., (std::min)(11., m_text_size));
+    const Box plane = {left - gap + 6, top, left + m_plane + 180, top + m_plane + 6};
+    std::size_t unnamed = 0;
+    for (std::size_t i = 0; i < m_matrix.size(); ++i)
+      unnamed += draw_name(centres[i], short_name(m_matrix.names[i]), style, plane) ? 0 : 1;
+    if (unnamed > 0)
+      m_canvas.text(left + m_plane + 160, top - 8, std::to_string(unnamed) + " of the names have no room",
+                    m_style.dim_text(1));
     double y = top + m_plane + 22, x = left;
     if (groups.size() > 1 && groups.size() < m_matrix.size())
       for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -155,6 +197,7 @@ private:
   const Plot_style m_style;
   const Distance_matrix& m_matrix;
   double m_cell, m_text_size, m_left, m_side, m_plane, m_largest = 0;
+  std::vector<Box> m_taken; // in the plane
   Canvas m_canvas;
 };
 

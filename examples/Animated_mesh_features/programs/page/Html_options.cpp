@@ -31,4 +31,10 @@ Html_sampling html_sampling(std::size_t number_of_vertices, std::size_t number_o
   return result;
 }
 
+Html_options half_of_page(Html_options options)
+{
+  options.most_positions /= 2;
+  return options;
+}
+
 } // namespace Programs

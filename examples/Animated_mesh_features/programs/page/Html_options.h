@@ -53,6 +53,9 @@ struct Html_sampling
 Html_sampling html_sampling(std::size_t number_of_vertices, std::size_t number_of_frames,
                             const Html_options& options = Html_options());
 
+// What a page of two animations has room for, of each.
+Html_options half_of_page(Html_options options);
+
 } // namespace Programs
 
 #endif // PROGRAMS_PAGE_HTML_OPTIONS_H

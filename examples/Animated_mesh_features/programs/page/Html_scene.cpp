@@ -8,6 +8,7 @@
 
 #include "page/deflated.h"
 #include "page/write_base64.h"
+#include "page/write_json_script.h"
 #include "rendering/Palette.h"
 #include "running/Interruption.h"
 #include "views/Scene_views.h"
@@ -81,19 +82,6 @@ std::vector<std::string> samples(const Rendering::Colour_map& map)
   return result;
 }
 
-void write_description(std::ostream& os, const Json& description)
-{
-  os << "<script type=\"application/json\" id=\"scene\">\n";
-  // A script ends at "</script" even within quotes. In JSON, "<" can occur within quotes only.
-  for (const char c : description.dump(-1, ' ', false, Json::error_handler_t::replace)) {
-    if (c == '<')
-      os << "\\u003c";
-    else
-      os << c;
-  }
-  os << "\n</script>\n";
-}
-
 void write_bytes(std::ostream& os, const std::string& id, const std::string& bytes)
 {
   os << "<script type=\"text/plain\" id=\"" << id << "\">";
@@ -122,15 +110,15 @@ double Html_scene::largest_error() const
   return diagonal > 0 ? m_positions.largest_error() / diagonal : 0;
 }
 
-void Html_scene::write(std::ostream& os) const
+void Html_scene::write(std::ostream& os, const std::string& name) const
 {
-  write_description(os, description());
-  write_bytes(os, "scene-faces", faces());
-  if (m_surface.is_thinned()) write_bytes(os, "scene-vertices", vertices());
-  write_bytes(os, "scene-positions", positions(m_positions, m_frames));
-  write_bytes(os, "scene-rest", positions(m_rest_positions, {0}));
+  write_json_script(os, name, description());
+  write_bytes(os, name + "-faces", faces());
+  if (m_surface.is_thinned()) write_bytes(os, name + "-vertices", vertices());
+  write_bytes(os, name + "-positions", positions(m_positions, m_frames));
+  write_bytes(os, name + "-rest", positions(m_rest_positions, {0}));
   for (std::size_t i = 0; i < m_fields.size(); ++i)
-    write_bytes(os, "scene-field-" + std::to_string(i), byte_planes(residuals(m_fields[i])));
+    write_bytes(os, name + "-field-" + std::to_string(i), byte_planes(residuals(m_fields[i])));
 }
 
 Json Html_scene::description() const

@@ -36,7 +36,8 @@ public:
   // in bounding-box diagonals of the rest shape
   double largest_error() const;
 
-  void write(std::ostream& os) const;
+  // The ids of all scripts begin with `name`.
+  void write(std::ostream& os, const std::string& name = "scene") const;
 
 private:
   nlohmann::ordered_json description() const;

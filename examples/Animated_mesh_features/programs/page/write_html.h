@@ -10,6 +10,9 @@
 #include "page/Html_options.h"
 #include "scenes/Shown_scene.h"
 
+#include <nlohmann/json_fwd.hpp>
+
+#include <array>
 #include <cstddef>
 #include <ostream>
 #include <string_view>
@@ -52,6 +55,19 @@ struct Html_report
 // Time: linear in the number of vertices times frames, about 0.25 s for each million.
 Html_report write_html(std::ostream& os, const Shown_scene& scene, std::string_view page,
                        const Html_options& options = Html_options());
+
+// The same of two animations, side by side: `b` is shown at the time that is aligned with that of `a`, from the same side,
+// and features that are a pair have one colour and one number.
+//
+// The page has the scripts of both scenes, those of `b` with ids that begin with `scene-b`, and `comparison`, which is
+// what `compare_animations --output` writes of a pair: of that, it reads `distance`; `alignment` with `times_a`, `times_b`
+// and `confidence`; and of each of `matches` the ranks `a` and `b`, which are those of the scenes' features, from 0.
+//
+// Each scene has half of the room, see html_sampling(). returns what it did with the first and with the second one.
+// throws as above.
+std::array<Html_report, 2> write_html_pair(std::ostream& os, const Shown_scene& a, const Shown_scene& b,
+                                           const nlohmann::ordered_json& comparison, std::string_view page,
+                                           const Html_options& options = Html_options());
 
 } // namespace Programs
 

@@ -21,7 +21,12 @@ What `align_animations()` is told. Each weight is that of the squares of a group
 */
 struct Alignment_options
 {
-  double mean_weight = 1;       ///< of the mean deformation
+  double mean_weight = 1; ///< of the mean deformation
+
+  /// whether what is there at all times, be it noise or the difference of the rest shape from all frames, is taken out of
+  /// the mean deformation: of its squares the least one. For whole motions: a part of one has another least.
+  bool without_least_mean = false;
+
   double recurrence_weight = 0; ///< of the differences from times before and after, which a warp of time changes, too
   double recurrence_without_places = 3; ///< the same, at least, where nothing is known of places
   double place_weight = 3;              ///< of the deformation by place, if both animations have it

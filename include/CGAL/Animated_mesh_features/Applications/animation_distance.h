@@ -24,13 +24,16 @@ What `animation_distance()` is told.
 */
 struct Distance_options
 {
-  Alignment_options alignment; ///< by default without places, with ends that count, and a slope of up to 2, see below
-  double cycle_weight = 0.1;   ///< from 0 to 1: how far apart a motion that repeats itself is from one that does not
+  /// by default without places and without the least mean, with ends that count, and a slope of up to 2, see below.
+  Alignment_options alignment;
+
+  double cycle_weight = 0.1; ///< from 0 to 1: how far apart a motion that repeats itself is from one that does not
 
   /// The defaults: characters of different build deform at different places in the same action; what is compared is the
   /// whole of both.
   Distance_options()
   {
+    alignment.without_least_mean = true;
     alignment.recurrence_weight = 1;
     alignment.recurrence_without_places = 0;
     alignment.place_weight = 0;

@@ -62,11 +62,28 @@ private:
     };
     const double recurrence_weight =
         has_places ? o.recurrence_weight : (std::max)(o.recurrence_weight, o.recurrence_without_places);
+    const std::vector<float> mean = o.without_least_mean ? without_least(a.mean) : a.mean;
     for (std::size_t t = 0; t < a.samples; ++t) {
-      append(o.mean_weight, a.mean, 1, t);
+      append(o.mean_weight, mean, 1, t);
       append(recurrence_weight, a.recurrence, 2 * a.lags, t);
       if (has_places) append(o.place_weight, a.places, a.classes, t);
     }
+    return result;
+  }
+
+  // In squares, as noise adds; again with a root mean square of 1.
+  static std::vector<float> without_least(const std::vector<float>& mean)
+  {
+    const double least = *std::min_element(mean.begin(), mean.end());
+    std::vector<double> above;
+    double squares = 0;
+    for (float x : mean) {
+      above.push_back(double(x) * double(x) - least * least);
+      squares += above.back() / double(mean.size());
+    }
+    std::vector<float> result(mean.size(), 0);
+    if (!(squares > 1e-6)) return result; // a mean that does not change, up to the precision of its numbers
+    for (std::size_t t = 0; t < mean.size(); ++t) result[t] = float(std::sqrt(above[t] / squares));
     return result;
   }
 
