@@ -197,9 +197,9 @@ FILES = {"clip", "frames", "there-and-back", "allow-outside", "faces", "part", "
     # a signature stands for the cache, an array for a file, a comparison with the tolerance for the check
     ("COMPARE_ANIMATIONS", (amf.read_animation, amf.detect, amf.descriptors, amf.signature, amf.match_features,
                             amf.align, amf.distance_matrix),
-     TERMINAL - {"version"} | {"cache", "output", "plot", "write-descriptors", "check", "tolerance"}),
+     TERMINAL - {"version"} | {"cache", "output", "html", "plot", "write-descriptors", "check", "tolerance"}),
     ("SIMPLIFY_ANIMATION", (amf.read_animation, amf.simplify),
-     TERMINAL | {"output", "format", "also", "binding", "report", "plot"}),
+     TERMINAL | {"output", "format", "also", "binding", "report", "plot", "keep-seams"}),
 ])
 def test_options_are_those_of_the_program(name, functions, without):
     """every option of the command line is a keyword of the same name and default, but for what makes no sense here"""
