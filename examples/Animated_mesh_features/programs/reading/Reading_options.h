@@ -69,6 +69,7 @@ struct Reading_options
   bool repair = false;      // mend what is no oriented manifold
   Weld weld = Weld::AUTO;
   bool skip_bad_frames = false; // bridge broken frames in time
+  bool is_cyclic = false;       // leave out a last frame that repeats the first; no option of the reading
 
   // of files with clips
   std::string clip; // by name or number; empty: the first

@@ -189,13 +189,16 @@ private:
   {
     m_in_time.values.clear();
     m_compared.clear();
-    const double middle = f.time / m_frame_duration, tau = f.tau / m_frame_duration, frames = double(m_field->number_of_frames());
+    const double middle = f.time / m_frame_duration, tau = f.tau / m_frame_duration,
+                 frames = double(m_field->number_of_frames());
     const double step = std::floor((std::max)(1., tau / frames_per_tau)), nearest = std::floor(middle + 0.5);
     double sum = 0;
-    for (double n = std::ceil((middle - reach * tau - nearest) / step - 1); n <= (middle + reach * tau - nearest) / step + 1; ++n) {
+    for (double n = std::ceil((middle - reach * tau - nearest) / step - 1);
+         n <= (middle + reach * tau - nearest) / step + 1; ++n) {
       const double frame = nearest + n * step, distance = frame * m_frame_duration - f.time;
       if (!(std::abs(distance) <= reach * f.tau)) continue;
-      m_compared.push_back((std::min)(std::size_t(frame - frames * std::floor(frame / frames)), m_field->number_of_frames() - 1));
+      m_compared.push_back(
+          (std::min)(std::size_t(frame - frames * std::floor(frame / frames)), m_field->number_of_frames() - 1));
       m_in_time.values.push_back(gaussian(distance, f.tau));
       sum += m_in_time.values.back();
     }

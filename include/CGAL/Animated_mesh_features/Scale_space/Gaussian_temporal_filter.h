@@ -153,7 +153,8 @@ public:
   /// the row and its mirror image live: those up to the opposite frame; those that are left out are zero. Linear in F.
   std::vector<double> weights_by_distance(std::size_t l) const
   {
-    return internal::on_circle(internal::discrete_gaussian(m_variances[l] / (m_frame_duration * m_frame_duration)), circle());
+    return internal::on_circle(internal::discrete_gaussian(m_variances[l] / (m_frame_duration * m_frame_duration)),
+                               circle());
   }
   /// @}
 

@@ -77,11 +77,8 @@ struct Fixed_ratio_sampling
   /// \throw Option_error if a range is empty, nothing of it can be resolved by the mesh or by the frames, it goes beyond
   /// `largest_relative_scale`, or has more than `most_levels`.
   template <class SpatialFilter, class TemporalFilter>
-  Scale_levels operator()(const Rest_shape& shape,
-                          std::size_t number_of_frames,
-                          double frame_duration,
-                          const SpatialFilter& spatial,
-                          const TemporalFilter& temporal) const
+  Scale_levels operator()(const Rest_shape& shape, std::size_t number_of_frames, double frame_duration,
+                          const SpatialFilter& spatial, const TemporalFilter& temporal) const
   {
     const double duration = double(number_of_frames) * frame_duration;
     const Scale_range s = completed(sigma, 0.007 * shape.diameter(), 0.175 * shape.diameter());

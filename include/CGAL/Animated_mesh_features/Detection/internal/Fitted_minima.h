@@ -49,7 +49,8 @@ public:
   // Those that are strong enough, whatever their fit; all of them have theirs. In no order that matters.
   template <class FT, class Loop>
   std::vector<Feature> above(const Feature_selection& selection, const Rest_shape& shape,
-                             const Spatio_temporal_field<FT>& field, double frame_duration, bool is_cyclic, const Loop& loop)
+                             const Spatio_temporal_field<FT>& field, double frame_duration, bool is_cyclic,
+                             const Loop& loop)
   {
     constexpr std::size_t at_once = 256;
     double strongest = 0;

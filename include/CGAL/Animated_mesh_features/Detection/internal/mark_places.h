@@ -41,7 +41,8 @@ bool is_same_place(const Feature& feature, const Feature& first, double distance
 // Numbers the places of features, which are sorted by strength, strongest first, and tells for each the strongest in which
 // it lies. Distances are along edges, those in time `between` two. A ball of the surface for each feature.
 template <class Feature>
-void mark_places(const Rest_shape& shape, std::vector<Feature>& features, const Time_difference& between = Time_difference())
+void mark_places(const Rest_shape& shape, std::vector<Feature>& features,
+                 const Time_difference& between = Time_difference())
 {
   std::unordered_map<std::size_t, std::vector<std::size_t>> at_vertex;
   for (std::size_t i = 0; i < features.size(); ++i) {
@@ -63,7 +64,8 @@ void mark_places(const Rest_shape& shape, std::vector<Feature>& features, const 
       for (std::size_t j : here->second) {
         if (j <= i) continue;
         if (is_first && place[j] == unknown && is_same_place(features[j], f, dijkstra.distance(v))) place[j] = place[i];
-        if (features[j].parent == Feature::none && lies_in(features[j], f, dijkstra.distance(v), between)) features[j].parent = i;
+        if (features[j].parent == Feature::none && lies_in(features[j], f, dijkstra.distance(v), between))
+          features[j].parent = i;
       }
     }
   }

@@ -35,9 +35,9 @@ Feature_selection selection_of(const Options&, long)
 
 // Of minima that are strong enough those that become features, strongest first.
 template <class Feature>
-std::vector<Feature>
-selected_features(const Rest_shape& shape, std::vector<Feature> minima, const Feature_selection& selection,
-                  const Time_difference& between = Time_difference())
+std::vector<Feature> selected_features(const Rest_shape& shape, std::vector<Feature> minima,
+                                       const Feature_selection& selection,
+                                       const Time_difference& between = Time_difference())
 {
   const auto is_left_out = [&](const Feature& f) {
     return (selection.min_fit > 0 && !(f.fit >= selection.min_fit)) ||

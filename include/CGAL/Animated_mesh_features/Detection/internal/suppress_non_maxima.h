@@ -41,7 +41,8 @@ class Features_at_vertices
   typedef std::pair<double, double> Key;
 
 public:
-  Features_at_vertices(std::size_t number_of_vertices, const std::vector<Feature>& features, const Time_difference& between)
+  Features_at_vertices(std::size_t number_of_vertices, const std::vector<Feature>& features,
+                       const Time_difference& between)
     : m_at_vertex(number_of_vertices)
     , m_period(between.period())
   {

@@ -36,11 +36,8 @@ class Candidate_verifier
   typedef typename Temporal_weights<TemporalFilter>::Rows Rows;
 
 public:
-  Candidate_verifier(const Rest_shape& shape,
-                     const Level_batch& batch,
-                     const Level_weights& weights,
-                     const Time_axis& time,
-                     const Search& search)
+  Candidate_verifier(const Rest_shape& shape, const Level_batch& batch, const Level_weights& weights,
+                     const Time_axis& time, const Search& search)
     : m_shape(shape)
     , m_batch(batch)
     , m_weights(weights)
@@ -56,7 +53,8 @@ public:
     const auto response = [&](std::size_t v, std::size_t k, std::size_t l, std::size_t f) {
       return this->response(v, k, l, f, rows);
     };
-    const std::size_t before = m_time.before(c.frame), after = m_time.after(c.frame), frames[3] = {before, c.frame, after};
+    const std::size_t before = m_time.before(c.frame), after = m_time.after(c.frame),
+                      frames[3] = {before, c.frame, after};
     const double centre = response(c.vertex, c.k, c.l, c.frame);
     if (!(std::abs(centre) > m_weights.floor(c.k, c.l))) return false;
     // Neighbours first: a candidate has passed the test at its vertex already, though with less precision.

@@ -25,12 +25,8 @@ template <class TemporalFilter, class Search>
 class Exhaustive_candidate_detector
 {
 public:
-  Exhaustive_candidate_detector(const Level_batch& batch,
-                                const Level_weights& weights,
-                                const Time_axis& time,
-                                std::size_t time_levels,
-                                const TemporalFilter& temporal,
-                                const Search& search)
+  Exhaustive_candidate_detector(const Level_batch& batch, const Level_weights& weights, const Time_axis& time,
+                                std::size_t time_levels, const TemporalFilter& temporal, const Search& search)
     : m_batch(batch)
     , m_weights(weights)
     , m_time(time)

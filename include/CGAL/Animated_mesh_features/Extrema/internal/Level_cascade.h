@@ -61,7 +61,8 @@ public:
       , m_cascade(batch.below + batch.above + 1)
     {
       // a frame more, since packs are loaded from beyond the last
-      for (std::vector<Response_pack>& row : m_cascade) row.assign(time.number_of_frames() + 2 * time.margin() + 1, Response_pack::all(0));
+      for (std::vector<Response_pack>& row : m_cascade)
+        row.assign(time.number_of_frames() + 2 * time.margin() + 1, Response_pack::all(0));
     }
 
     void start(std::size_t v)
@@ -77,7 +78,8 @@ public:
     {
       const std::size_t margin = m_time.margin();
       for (; m_smoothed <= l + m_batch.above; ++m_smoothed) {
-        m_temporal(m_smoothed, m_smoothed == 0 ? m_loaded.data() : row(m_smoothed - 1) + margin, row(m_smoothed) + margin);
+        m_temporal(m_smoothed, m_smoothed == 0 ? m_loaded.data() : row(m_smoothed - 1) + margin,
+                   row(m_smoothed) + margin);
         m_time.join_ends(row(m_smoothed));
       }
       m_now = reinterpret_cast<const T*>(row(l));

@@ -72,9 +72,8 @@ public:
     , m_bytes(bytes)
   {
     if constexpr (Has_weights_by_distance<TemporalFilter>::value)
-      m_is_by_distance =
-          (number_of_frames > most_frames_of_matrices || m_least_window > matrices_that_fit()) &&
-          (filter.reflects() || is_periodic(filter));
+      m_is_by_distance = (number_of_frames > most_frames_of_matrices || m_least_window > matrices_that_fit()) &&
+                         (filter.reflects() || is_periodic(filter));
   }
 
   // Makes the levels [first, last) available, by `loop`; those before are dropped. Going back starts anew.

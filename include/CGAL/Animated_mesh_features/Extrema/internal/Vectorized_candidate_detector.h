@@ -59,8 +59,7 @@ class Vectorized_candidate_detector
 public:
   // costs: of verifying a candidate, by time level; 1 for short rows
   Vectorized_candidate_detector(const Level_batch& batch, const Level_weights& weights, const Cascade& cascade,
-                                const Time_axis& time, const std::vector<double>& costs,
-                                Instruction_set instructions)
+                                const Time_axis& time, const std::vector<double>& costs, Instruction_set instructions)
     : m_batch(batch)
     , m_weights(weights, batch, costs.size(), Cascade::pack_size)
     , m_cascade(cascade)
@@ -132,8 +131,8 @@ private:
         if (!responses.can_search()) continue;
         const std::size_t searched = responses.searched_level(), before = candidates.size();
         responses.search(last_entry, [&](std::size_t f, std::size_t entry) {
-          candidates.push_back(
-              {std::uint32_t(v), std::uint32_t(f - margin), std::uint32_t(m_batch.first - 1 + entry), std::uint32_t(searched)});
+          candidates.push_back({std::uint32_t(v), std::uint32_t(f - margin), std::uint32_t(m_batch.first - 1 + entry),
+                                std::uint32_t(searched)});
         });
         cost += m_costs[searched] * double(candidates.size() - before);
         if (!is_precise && cost > largest) {
