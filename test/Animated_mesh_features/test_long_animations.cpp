@@ -322,7 +322,7 @@ template <class Filter>
 void test_periods(const std::string& name, const Row& time_variances, const Filter& reflecting, const Filter& joining)
 {
   constexpr std::size_t period = 60, periods = 7, middle = 3;
-  const Shape plane = regular_plane(5, 5);
+  const Shape plane = regular_plane(14, 14);
   const Amf::Rest_shape shape = rest_shape_of(plane);
   const Field field = noise_on(plane, period, std::acos(-1.) / 30);
   const Amf::Difference_of_gaussians_minima minima;
