@@ -258,8 +258,8 @@ Field frames_of(const Field& field, std::size_t first, std::size_t count)
 // The features in frames [first, first + period), with the times that they have if the period begins in frame `start`, in
 // an order that does not depend on rounding; of their parents the vertices.
 typedef std::tuple<std::size_t, std::size_t, std::size_t> Key;
-std::vector<std::pair<Key, Detector::Feature>> of_period(const Features& features, std::size_t first, std::size_t period,
-                                                         std::size_t start)
+std::vector<std::pair<Key, Detector::Feature>> of_period(const Features& features, std::size_t first,
+                                                         std::size_t period, std::size_t start)
 {
   std::vector<std::pair<Key, Detector::Feature>> result;
   for (Detector::Feature f : features) {
@@ -286,7 +286,8 @@ void test_periods(const Rest_shape& shape)
   const Features features = features_of(shape, field, joined);
   const auto expected = of_period(features, 0, period, 0);
   CHECK(expected.size() == features.size() && expected.size() > 100);
-  CHECK(std::all_of(features.begin(), features.end(), [](const auto& f) { return f.refined_frame >= 0 && f.refined_frame < 36; }));
+  CHECK(std::all_of(features.begin(), features.end(),
+                    [](const auto& f) { return f.refined_frame >= 0 && f.refined_frame < 36; }));
   double largest = 0;
   const auto compare = [&](const auto& found) {
     CHECK(found.size() == expected.size());
@@ -318,8 +319,9 @@ void test_wave(const Bumpy_sphere& sphere, const Rest_shape& shape)
     Field field(shape.number_of_vertices(), frames);
     for (std::size_t v = 0; v < field.number_of_rows(); ++v)
       for (std::size_t f = 0; f < frames; ++f)
-        field(v, f) = std::exp(-CGAL::squared_distance(sphere.place(place), sphere.rest[v]) / (2 * place.width * place.width)) *
-                      (1 + std::cos(2 * std::acos(-1.) * (double(f) - crest) / double(frames)));
+        field(v, f) =
+            std::exp(-CGAL::squared_distance(sphere.place(place), sphere.rest[v]) / (2 * place.width * place.width)) *
+            (1 + std::cos(2 * std::acos(-1.) * (double(f) - crest) / double(frames)));
     AMF::Extremum_options<> options;
     options.temporal_filter = AMF::Gaussian_temporal_filter(AMF::Boundary_condition::PERIODIC);
     Detector detector(shape, field, 0.1, options);
