@@ -81,10 +81,11 @@ def shared(a, b):
 
 def moved(a, b, frames, count):
     """Whether the features of `a` are those of `b`, so many frames earlier in a period of `count` frames."""
-    other = {(f["vertex"], f["frame"]): f for f in b["features"]}
-    return len(a["features"]) == len(other) and all(
-        near(f[k], other[f["vertex"], (f["frame"] + frames) % count][k], 1e-6)
-        for f in a["features"] for k in ("sigma", "tau", "strength", "fit"))
+    def rows(d, later):
+        return sorted([f["vertex"], (f["frame"] + later) % count, f["sigma"], f["tau"], f["strength"], f["fit"]]
+                      for f in d["features"])
+    pairs = list(zip(rows(a, frames), rows(b, 0)))
+    return len(a["features"]) == len(b["features"]) and all(near(x, y, 1e-6) for r, s in pairs for x, y in zip(r, s))
 
 
 def write_obj(path, xyz, faces):
