@@ -13,6 +13,7 @@
 #include "test_two_stages.h"
 
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/Animation/last_frame_repeats_first.h>
 #include <CGAL/Animated_mesh_features/Animation/rest_shape_of_mesh.h>
 #include <CGAL/Animated_mesh_features/Detection/Detection_options.h>
 #include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
@@ -338,6 +339,39 @@ void test_wave(const Bumpy_sphere& sphere, const Rest_shape& shape)
   }
 }
 
+// Vertices that go round, each in its own phase, on a body that walks on.
+template <class FT>
+bool is_repeated(std::size_t frames, double period, double step, double noise = 0)
+{
+  AMF::Spatio_temporal_field<FT> x(7, frames), y(7, frames), z(7, frames);
+  std::mt19937 random(4);
+  const auto error = [&] { return noise * (double(random()) / double(random.max()) - 0.5); };
+  for (std::size_t v = 0; v < 7; ++v)
+    for (std::size_t f = 0; f < frames; ++f) {
+      const double angle = 2 * std::acos(-1.) * double(f) / period + double(v);
+      x(v, f) = FT(std::cos(angle) + step * double(f) + error());
+      y(v, f) = FT(std::sin(angle) * double(v) - 2 * step * double(f) + error());
+      z(v, f) = FT(double(v) + error());
+    }
+  return AMF::last_frame_repeats_first(x, y, z);
+}
+
+void test_repeated_frame()
+{
+  for (double step : {0., 0.7}) {
+    CHECK(is_repeated<double>(20, 19, step) && is_repeated<float>(20, 19, step) && is_repeated<float>(500, 499, step));
+    CHECK(!is_repeated<double>(20, 20, step) && !is_repeated<float>(20, 21, step) && !is_repeated<double>(20, 18, step));
+    CHECK(is_repeated<double>(20, 19, step, 1e-3) && !is_repeated<double>(20, 19, step, 0.1));
+    CHECK(!is_repeated<double>(20, infinity, step)); // nothing but the walk
+  }
+  CHECK(!is_repeated<double>(2, 1, 0));
+  // at rest before and after a motion
+  Field rests(3, 20);
+  for (std::size_t v = 0; v < 3; ++v)
+    for (std::size_t f = 5; f < 15; ++f) rests(v, f) = double(v * f);
+  CHECK(!AMF::last_frame_repeats_first(rests, rests, rests));
+}
+
 int main()
 {
   const Bumpy_sphere sphere;
@@ -348,6 +382,7 @@ int main()
   test_refused(sphere, shape);
   test_reuse(sphere, shape);
   test_number_of_levels(sphere, shape);
+  test_repeated_frame();
   test_periods(shape);
   test_wave(sphere, shape);
   return test_result();
