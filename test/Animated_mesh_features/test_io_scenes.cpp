@@ -17,6 +17,7 @@
 #include <CGAL/Animated_mesh_features/IO/Output_folder.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
