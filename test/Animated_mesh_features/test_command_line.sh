@@ -522,7 +522,7 @@ cp x.json once.json
 expect 0 "repeats the first and is left out; the period is 16 frames" c.obj begun.pc2 --fps 10 --cyclic --rest c.obj \
   --relative-threshold 0 --preset published -o x.json
 check 'x["features"] == once["features"] and x["animation"]["frames"] == 16'
-expect 0 "look whether the frames are one whole period" c.obj c.pc2 --fps 10 --frames 0:9 --cyclic -o x.json
+expect 0 "look whether the frames are one whole period" c.obj c.pc2 --fps 10 --frames 0:6 --cyclic -o x.json
 for strain in green-lagrange stretch largest-eigenvalue; do
   differs --strain $strain
   check "p(x)['strain'] == '$strain'"
