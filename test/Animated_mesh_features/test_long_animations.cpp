@@ -6,8 +6,7 @@
 
 // Animations so long that F x F numbers would be too many: the weights of temporal filters by distance against their
 // matrices, Gaussians with weights every few frames against the discrete cosine transform, and the extrema of a long field
-// against those that are found with matrices, and sample by sample. All of it also of cyclic animations, whose extrema,
-// besides, do not depend on the frame in which a period begins, and are those of a period among others.
+// against those that are found with matrices, and sample by sample. All of it also of cyclic animations.
 
 #include "test_shapes.h"
 
@@ -307,65 +306,6 @@ void test_extrema(const Filter& temporal, const Row& time_variances, std::size_t
   check_same(found, extrema(temporal, Minima_sample_by_sample()), 0);
 }
 
-// Frames [first, first + count) of a field that goes on for ever.
-Field frames_of(const Field& field, std::size_t first, std::size_t count)
-{
-  Field result(field.number_of_rows(), count);
-  for (std::size_t v = 0; v < field.number_of_rows(); ++v)
-    for (std::size_t f = 0; f < count; ++f) result(v, f) = field(v, (first + f) % field.number_of_frames());
-  return result;
-}
-
-// Which of the frames of a cyclic animation is called the first does not matter, and its extrema are those of any period
-// of many: with ends that are reflected far away, or joined after several periods.
-template <class Filter>
-void test_periods(const std::string& name, const Row& time_variances, const Filter& reflecting, const Filter& joining)
-{
-  constexpr std::size_t period = 60, periods = 7, middle = 3;
-  const Shape plane = regular_plane(14, 14);
-  const Amf::Rest_shape shape = rest_shape_of(plane);
-  const Field field = noise_on(plane, period, std::acos(-1.) / 30);
-  const Amf::Difference_of_gaussians_minima minima;
-  const auto extrema = [&](const Field& f, const Filter& filter) {
-    return extrema_of(shape, f, filter, minima, time_variances);
-  };
-  const Extrema expected = extrema(field, joining);
-  const auto at_ends = std::count_if(expected.begin(), expected.end(),
-                                     [](const auto& e) { return e.frame == 0 || e.frame + 1 == period; });
-  std::cout << name << ": " << expected.size() << " extrema of a cyclic animation, " << at_ends
-            << " in its first or last frame" << std::endl;
-  CHECK(at_ends > 1 && extrema(field, reflecting).size() != expected.size());
-  CHECK(std::all_of(expected.begin(), expected.end(), [](const auto& e) {
-    const double distance = std::abs(e.refined_frame - double(e.frame));
-    return e.refined_frame >= 0 && e.refined_frame < double(period) &&
-           (distance <= 0.5 || distance >= double(period) - 0.5);
-  }));
-  // those of a period that begins in frame `first`, with the frames of the one that begins in frame 0
-  const auto of_period = [&](Extrema all, std::size_t first) {
-    Extrema result;
-    for (Amf::Response_extremum e : all) {
-      if (e.frame < first || e.frame >= first + period) continue;
-      e.frame -= first;
-      e.refined_frame -= double(first);
-      if (e.refined_frame < 0) e.refined_frame += double(period);
-      result.push_back(e);
-    }
-    return result;
-  };
-  for (std::size_t shift : {std::size_t(1), std::size_t(17), period - 1}) {
-    Extrema shifted = extrema(frames_of(field, shift, period), joining);
-    for (Amf::Response_extremum& e : shifted) {
-      e.frame = (e.frame + shift) % period;
-      e.refined_frame = std::fmod(e.refined_frame + double(shift), double(period));
-    }
-    sort(shifted);
-    check_same(shifted, expected, 1e-9);
-  }
-  const Field repeated = frames_of(field, 0, periods * period);
-  check_same(of_period(extrema(repeated, reflecting), middle * period), expected, 1e-9);
-  check_same(of_period(extrema(frames_of(field, 0, 3 * period), joining), 0), expected, 1e-9);
-}
-
 int main()
 {
   test_all_rows();
@@ -387,10 +327,5 @@ int main()
   for (std::size_t l = 1; l <= 12; ++l) boxes.push_back(double(l) * unit);
   test_extrema(box, boxes, 10);
   test_extrema(Amf::Box_temporal_filter(5, cyclic), boxes, 10);
-  // up to a tau of a quarter of the period
-  gaussian.resize(13);
-  test_periods("Gaussian", gaussian, Amf::Gaussian_temporal_filter(), Amf::Gaussian_temporal_filter(cyclic));
-  test_periods("boxes that fit", gaussian, Amf::Box_temporal_filter(), Amf::Box_temporal_filter(0, cyclic));
-  test_periods("boxes of 5", boxes, box, Amf::Box_temporal_filter(5, cyclic));
   return test_result();
 }
