@@ -162,8 +162,8 @@ def detect(frames, faces=None, *, frame_duration=None, fps=None, rest=None, resc
            weld="auto", repair=False, skip_bad_frames=False,
            denoise=None, preset="calibrated", strain=None, curvature=None,
            balls=None, ball_radius=None, alpha=None, baseline=None, spatial_filter=None, dimension=None,
-           temporal_filter=None, box_width=None, space_counts=None, time_counts=None, sigma_range=None, tau_range=None,
-           threshold=None, relative_threshold=None, min_fit=None, top=None, no_suppression=False,
+           temporal_filter=None, cyclic=False, box_width=None, space_counts=None, time_counts=None, sigma_range=None,
+           tau_range=None, threshold=None, relative_threshold=None, min_fit=None, top=None, no_suppression=False,
            keep_fields=("deformation",), memory=None, scratch=None, threads=None, visitor=None) -> Detection:
     """Detects the spatio-temporal feature points of an animated mesh: where, when, how large and how long it deforms in
     a distinctive way.
@@ -209,10 +209,10 @@ def detect(frames, faces=None, *, frame_duration=None, fps=None, rest=None, resc
 
 @documented
 def detect_in_field(field, shape, faces=None, *, frame_duration=None, fps=None, noise=0.0, preset="calibrated",
-                    baseline="none", spatial_filter=None, dimension=None, temporal_filter=None, box_width=None,
-                    space_counts=None, time_counts=None, sigma_range=None, tau_range=None, threshold=None,
-                    relative_threshold=None, min_fit=None, top=None, no_suppression=False, threads=None,
-                    visitor=None) -> Detection:
+                    baseline="none", spatial_filter=None, dimension=None, temporal_filter=None, cyclic=False,
+                    box_width=None, space_counts=None, time_counts=None, sigma_range=None, tau_range=None,
+                    threshold=None, relative_threshold=None, min_fit=None, top=None, no_suppression=False,
+                    threads=None, visitor=None) -> Detection:
     """Finds features in a field of your own: temperature, muscle activity, the error of a simulation. Its positive
     bumps are found.
 

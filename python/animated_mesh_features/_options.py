@@ -14,7 +14,7 @@ import numpy as np
 from . import _core
 
 # What is given without a value.
-_SWITCHES = frozenset(["no_suppression", "there_and_back", "allow_outside", "rescale_rest", "as_given", "triangulate",
+_SWITCHES = frozenset(["cyclic", "no_suppression", "there_and_back", "allow_outside", "rescale_rest", "as_given", "triangulate",
                        "repair", "skip_bad_frames", "no_sync"])
 # MIN:MAX
 _RANGES = frozenset(["sigma_range", "tau_range"])
@@ -47,6 +47,9 @@ METHOD = """
         responses are normalised to the surface's own dimension, or to that of a plane (p).
     temporal_filter : {"gaussian", "box"}, optional
         "box": (p).
+    cyclic : bool
+        the last frame is followed by the first, as in a step of a gait: no reflecting ends, and a feature may lie across
+        the end. The period is as many frames as there are: leave out a last frame that repeats the first.
     box_width : int, optional
         of the temporal box, in frames; preset "published" only. By default a sixth of the frames.
     space_counts, time_counts : int, optional
@@ -56,8 +59,8 @@ METHOD = """
         the smallest and the largest spatial scale, as lengths or as percentages of the diameter of the rest shape,
         ``("1%", "17.5%")``; None for one of them leaves it at its default. Preset "calibrated" only.
     tau_range : (float, float) or str, optional
-        the temporal scales in seconds, by default from one frame to a third of the duration. Preset "calibrated"
-        only."""
+        the temporal scales in seconds, by default from one frame to a third of the duration, or with `cyclic` to a
+        quarter. Preset "calibrated" only."""
 
 SELECTION = """
     threshold : float, optional

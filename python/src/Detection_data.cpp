@@ -185,6 +185,7 @@ void Detection_data::write(const Arguments& arguments) const
   files.write_features(m_detection.features, description());
   if (!o.scenes.empty()) {
     Programs::Shown_scene scene{m_animation->sequence(), m_detection.features, {}, "animation"};
+    scene.is_cyclic = m_method.is_cyclic;
     if (m_animation->reading().inputs.front() != "faces")
       scene.title = std::filesystem::path(m_animation->reading().inputs.front()).stem().string();
     for (const Field kind : {Field::DEFORMATION, Field::STRAIN, Field::CURVATURE})

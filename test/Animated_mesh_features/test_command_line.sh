@@ -79,6 +79,15 @@ def shared(a, b):
     return [(f, other[f["vertex"], f["frame"]]) for f in a["features"] if (f["vertex"], f["frame"]) in other]
 
 
+def moved(a, b, frames, count):
+    """Whether the features of `a` are those of `b`, so many frames earlier in a period of `count` frames."""
+    def rows(d, later):
+        return sorted([f["vertex"], (f["frame"] + later) % count, f["sigma"], f["tau"], f["strength"], f["fit"]]
+                      for f in d["features"])
+    pairs = list(zip(rows(a, frames), rows(b, 0)))
+    return len(a["features"]) == len(b["features"]) and all(near(x, y, 1e-6) for r, s in pairs for x, y in zip(r, s))
+
+
 def write_obj(path, xyz, faces):
     with open(path, "w") as file:
         for i in range(0, len(xyz), 3):
@@ -94,6 +103,7 @@ def again(name):
                          "spatial_filter", "temporal_filter", "box_width", "space_counts", "time_counts", "sigma_range",
                          "tau_range", "threshold", "relative_threshold",
                          "min_fit", "baseline", "dimension") if q[k] is not None]
+    options += ["--cyclic"] * q["cyclic"]
     options += ["--triangulate"] * q["triangulate"] + ["--as-given"] * q["as_given"] + ["--rescale-rest"] * q["rescale_rest"]
     options += ["--no-suppression"] * (not q["suppression"])
     return options + q["inputs"]
@@ -220,6 +230,13 @@ elif command == "cut":  # base, number of frames, output: a PC2 of the first fra
     n = struct.unpack("<i", data[16:20])[0]
     struct.pack_into("<i", data, 28, int(arguments[1]))
     open(arguments[2], "wb").write(data[:32 + 12 * n * int(arguments[1])])
+elif command == "begun":  # base, first frame, how many, output: a PC2 of frames that go round
+    n, f, frames = read_pc2(arguments[0])
+    first, count = int(arguments[1]), int(arguments[2])
+    with open(arguments[3], "wb") as file:
+        file.write(open(arguments[0] + ".pc2", "rb").read()[:28] + struct.pack("<i", count))
+        for i in range(count):
+            file.write(struct.pack("<%df" % (3 * n), *frames[(first + i) % f]))
 elif command == "again":
     print("\n".join(again(arguments[0])))
 elif command == "interrupt":
@@ -510,6 +527,22 @@ differs --temporal-filter box
 check 'p(x)["temporal_filter"] == "box" and p(base)["temporal_filter"] == "gaussian"'
 # a similar Gaussian: features hardly change
 check 'len(shared(x, base)) > 10 and all(near(f["strength"], g["strength"], 0.05) for f, g in shared(x, base))'
+# Of a cyclic animation it does not matter where it begins; the first frame once more at its end is left out.
+for filter in "" "--temporal-filter box" "--preset published"; do
+  differs --cyclic --rest c.obj --relative-threshold 0 $filter
+  check 'p(x)["cyclic"] and not p(base)["cyclic"] and x["animation"]["frames"] == 16'
+  check 'all(0 <= f["time"] < 1.6 and abs((f["time"] - f["frame"] / 10 + 0.8) % 1.6 - 0.8) <= 0.05 + 1e-9 for f in x["features"])'
+  cp x.json cyclic.json
+  python3 tool.py begun c 5 16 begun.pc2
+  expect 0 "" c.obj begun.pc2 --fps 10 --cyclic --rest c.obj --relative-threshold 0 $filter -o x.json
+  check 'moved(x, cyclic, 5, 16)'
+done
+python3 tool.py begun c 5 17 begun.pc2
+cp x.json once.json
+expect 0 "repeats the first and is left out; the period is 16 frames" c.obj begun.pc2 --fps 10 --cyclic --rest c.obj \
+  --relative-threshold 0 --preset published -o x.json
+check 'x["features"] == once["features"] and x["animation"]["frames"] == 16'
+expect 0 "look whether the frames are one whole period" c.obj c.pc2 --fps 10 --frames 0:6 --cyclic -o x.json
 for strain in green-lagrange stretch largest-eigenvalue; do
   differs --strain $strain
   check "p(x)['strain'] == '$strain'"

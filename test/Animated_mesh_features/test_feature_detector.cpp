@@ -5,13 +5,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The second stage on its own: fields of the user's own over a rest shape, without any animation. What is found and what is
-// refused, other selections from what is known, samplings with few levels, stages and threads.
+// refused, other selections from what is known, samplings with few levels, stages and threads, and cyclic animations: the
+// same features wherever a period begins, and those of any period among others.
 
 #include "test_bumpy_sphere.h"
 #include "test_support.h"
 #include "test_two_stages.h"
 
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/Animation/last_frame_repeats_first.h>
 #include <CGAL/Animated_mesh_features/Animation/rest_shape_of_mesh.h>
 #include <CGAL/Animated_mesh_features/Detection/Detection_options.h>
 #include <CGAL/Animated_mesh_features/Detection/Feature_detector.h>
@@ -24,7 +26,9 @@
 #include <iterator>
 #include <limits>
 #include <random>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 using namespace test_support;
@@ -230,6 +234,145 @@ void test_number_of_levels(const Bumpy_sphere& sphere, const Rest_shape& shape)
   }
 }
 
+// What the detector finds with ends that are reflected or joined, with tau from a frame to a quarter of 36.
+Features features_of(const Rest_shape& shape, const Field& field, AMF::Boundary_condition ends)
+{
+  const double dt = 1. / 24;
+  AMF::Extremum_options<> options;
+  options.temporal_filter = AMF::Gaussian_temporal_filter(ends);
+  options.sampling.tau = {dt, 9 * dt};
+  Detector detector(shape, field, dt, options);
+  detector.selection().min_fit = -1;
+  detector.selection().relative_threshold = 0;
+  return detect_with(detector);
+}
+
+// Frames [first, first + count) of a field that goes on for ever.
+Field frames_of(const Field& field, std::size_t first, std::size_t count)
+{
+  Field result(field.number_of_rows(), count);
+  for (std::size_t v = 0; v < field.number_of_rows(); ++v)
+    for (std::size_t f = 0; f < count; ++f) result(v, f) = field(v, (first + f) % field.number_of_frames());
+  return result;
+}
+
+// The features in frames [first, first + period), with the times that they have if the period begins in frame `start`, in
+// an order that does not depend on rounding; of their parents the vertices.
+typedef std::tuple<std::size_t, std::size_t, std::size_t> Key;
+std::vector<std::pair<Key, Detector::Feature>> of_period(const Features& features, std::size_t first,
+                                                         std::size_t period, std::size_t start)
+{
+  std::vector<std::pair<Key, Detector::Feature>> result;
+  for (Detector::Feature f : features) {
+    if (f.frame < first || f.frame >= first + period) continue;
+    f.frame = (f.frame + start) % period;
+    f.refined_frame = std::fmod(f.refined_frame + double(start + period), double(period));
+    const std::size_t parent = f.parent == f.none ? f.none : features[f.parent].vertex_index;
+    result.emplace_back(Key(f.vertex_index, f.frame, parent), f);
+  }
+  std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.first, a.second.sigma) < std::tie(b.first, b.second.sigma);
+  });
+  return result;
+}
+
+void test_periods(const Rest_shape& shape)
+{
+  constexpr std::size_t period = 36;
+  std::mt19937 random(2);
+  Field field(shape.number_of_vertices(), period);
+  for (std::size_t v = 0; v < field.number_of_rows(); ++v)
+    for (std::size_t f = 0; f < period; ++f) field(v, f) = double(random()) / double(random.max());
+  const auto joined = AMF::Boundary_condition::PERIODIC, reflected = AMF::Boundary_condition::REFLECT;
+  const Features features = features_of(shape, field, joined);
+  const auto expected = of_period(features, 0, period, 0);
+  CHECK(expected.size() == features.size() && expected.size() > 100);
+  CHECK(std::all_of(features.begin(), features.end(),
+                    [](const auto& f) { return f.refined_frame >= 0 && f.refined_frame < 36; }));
+  double largest = 0;
+  const auto compare = [&](const auto& found) {
+    CHECK(found.size() == expected.size());
+    for (std::size_t i = 0; i < (std::min)(found.size(), expected.size()); ++i) {
+      const Detector::Feature &a = found[i].second, &b = expected[i].second;
+      CHECK(found[i].first == expected[i].first);
+      const double frames = std::abs(a.refined_frame - b.refined_frame);
+      for (double difference : {(std::min)(frames, double(period) - frames), a.sigma / b.sigma - 1, a.tau / b.tau - 1,
+                                a.amplitude / b.amplitude - 1, a.strength - b.strength, a.fit - b.fit})
+        largest = (std::max)(largest, std::abs(difference));
+    }
+  };
+  for (std::size_t start : {std::size_t(1), std::size_t(20), period - 1})
+    compare(of_period(features_of(shape, frames_of(field, start, period), joined), 0, period, start));
+  // so many that the largest tau does not see the ends
+  compare(of_period(features_of(shape, frames_of(field, 0, 9 * period), reflected), 4 * period, period, 0));
+  compare(of_period(features_of(shape, frames_of(field, 0, 2 * period), joined), period, period, 0));
+  const auto in_ends = std::count_if(features.begin(), features.end(), [](const auto& f) { return f.frame % 35 == 0; });
+  std::cout << features.size() << " features of a cyclic animation, " << in_ends
+            << " in its first or last frame, differ by " << largest << std::endl;
+  CHECK(in_ends > 3 && largest < 1e-9);
+}
+
+// A single wave, the slowest event of a period, is found, wherever its crest is.
+void test_wave(const Bumpy_sphere& sphere, const Rest_shape& shape)
+{
+  const std::size_t frames = 40;
+  const Bump place = {{{0.1, -0.8, 0.3}}, 0.2, 1, 0, 0};
+  for (double crest : {0., 17.3, 39.7}) {
+    Field field(shape.number_of_vertices(), frames);
+    for (std::size_t v = 0; v < field.number_of_rows(); ++v)
+      for (std::size_t f = 0; f < frames; ++f)
+        field(v, f) =
+            std::exp(-CGAL::squared_distance(sphere.place(place), sphere.rest[v]) / (2 * place.width * place.width)) *
+            (1 + std::cos(2 * std::acos(-1.) * (double(f) - crest) / double(frames)));
+    AMF::Extremum_options<> options;
+    options.temporal_filter = AMF::Gaussian_temporal_filter(AMF::Boundary_condition::PERIODIC);
+    Detector detector(shape, field, 0.1, options);
+    const Features features = detect_with(detector);
+    CHECK(features.size() == 1);
+    if (features.empty()) continue;
+    const Detector::Feature& found = features[0];
+    CHECK(found.frame == std::size_t(std::lround(crest)) % frames);
+    const double off = std::abs(found.refined_frame - crest);
+    CHECK((std::min)(off, 40 - off) < 0.05);
+    CHECK_NEAR(found.tau, 0.2 * 4, 0.05 * 4);
+    CHECK(!found.at_scale_limit && found.fit > 0.9);
+    std::cout << "a wave of 4 s: tau " << found.tau << " s, fit " << found.fit << std::endl;
+  }
+}
+
+// Vertices that go round, each in its own phase, on a body that walks on.
+template <class FT>
+bool is_repeated(std::size_t frames, double period, double step, double noise = 0)
+{
+  AMF::Spatio_temporal_field<FT> x(7, frames), y(7, frames), z(7, frames);
+  std::mt19937 random(4);
+  const auto error = [&] { return noise * (double(random()) / double(random.max()) - 0.5); };
+  for (std::size_t v = 0; v < 7; ++v)
+    for (std::size_t f = 0; f < frames; ++f) {
+      const double angle = 2 * std::acos(-1.) * double(f) / period + double(v);
+      x(v, f) = FT(std::cos(angle) + step * double(f) + error());
+      y(v, f) = FT(std::sin(angle) * double(v) - 2 * step * double(f) + error());
+      z(v, f) = FT(double(v) + error());
+    }
+  return AMF::last_frame_repeats_first(x, y, z);
+}
+
+void test_repeated_frame()
+{
+  for (double step : {0., 0.7}) {
+    CHECK(is_repeated<double>(20, 19, step) && is_repeated<float>(20, 19, step) && is_repeated<float>(500, 499, step));
+    CHECK(!is_repeated<double>(20, 20, step) && !is_repeated<float>(20, 21, step) && !is_repeated<double>(20, 18, step));
+    CHECK(is_repeated<double>(20, 19, step, 1e-3) && !is_repeated<double>(20, 19, step, 0.1));
+    CHECK(!is_repeated<double>(20, infinity, step)); // nothing but the walk
+  }
+  CHECK(!is_repeated<double>(2, 1, 0));
+  // at rest before and after a motion
+  Field rests(3, 20);
+  for (std::size_t v = 0; v < 3; ++v)
+    for (std::size_t f = 5; f < 15; ++f) rests(v, f) = double(v * f);
+  CHECK(!AMF::last_frame_repeats_first(rests, rests, rests));
+}
+
 int main()
 {
   const Bumpy_sphere sphere;
@@ -240,5 +383,8 @@ int main()
   test_refused(sphere, shape);
   test_reuse(sphere, shape);
   test_number_of_levels(sphere, shape);
+  test_repeated_frame();
+  test_periods(shape);
+  test_wave(sphere, shape);
   return test_result();
 }

@@ -140,7 +140,10 @@ void test_box_variances()
   CHECK_NEAR(smoothed(filter, 1, impulse(n))[n / 2], 0.375 / 30, 1e-5);
 }
 
-// The value of frame f beyond the ends of a row, by walking back and forth.
+const Amf::Boundary_condition all_ends[] = {Amf::Boundary_condition::REFLECT, Amf::Boundary_condition::REPLICATE,
+                                            Amf::Boundary_condition::TRUNCATE, Amf::Boundary_condition::PERIODIC};
+
+// The value of frame f beyond the ends of a row, by walking back and forth or round.
 double beyond(const Row& row, long f, Amf::Boundary_condition ends, bool& exists)
 {
   const long n = long(row.size());
@@ -150,6 +153,7 @@ double beyond(const Row& row, long f, Amf::Boundary_condition ends, bool& exists
     while (f < 0 || f >= n) f = f < 0 ? -1 - f : 2 * n - 1 - f;
     return row[std::size_t(f)];
   }
+  if (ends == Amf::Boundary_condition::PERIODIC) return row[std::size_t((f % n + n) % n)];
   exists = f >= 0 && f < n;
   return exists ? row[std::size_t(f)] : 0;
 }
@@ -159,7 +163,7 @@ void test_box_ends()
   Random random(31);
   for (std::size_t n : {3, 4, 7, 20})
     for (std::size_t w : {2, 3, 4, 5, 8, 11, 17})
-      for (const Amf::Boundary_condition ends : {Amf::Boundary_condition::REFLECT, Amf::Boundary_condition::REPLICATE, Amf::Boundary_condition::TRUNCATE}) {
+      for (const Amf::Boundary_condition ends : all_ends) {
         Amf::Box_temporal_filter filter(w, ends);
         const double unit = filter.unit_variance(n, frame_duration);
         filter.initialize(n, frame_duration, {unit, 3 * unit});
@@ -182,7 +186,8 @@ void test_box_ends()
         }
         CHECK(largest_difference(smoothed(filter, 2, row), expected) < 1e-13);
         CHECK(largest_difference(smoothed(filter, 2, Row(n, 0.3)), Row(n, 0.3)) < 1e-15);
-        if (ends == Amf::Boundary_condition::REFLECT) CHECK_NEAR(sum_of(smoothed(filter, 2, row)), sum_of(row), 1e-12);
+        if (ends == Amf::Boundary_condition::REFLECT || ends == Amf::Boundary_condition::PERIODIC)
+          CHECK_NEAR(sum_of(smoothed(filter, 2, row)), sum_of(row), 1e-12);
       }
   // the default is to reflect
   const Row row = random_row(9, random);
@@ -237,7 +242,7 @@ void test_box_packs()
     if (set > Amf::internal::widest_instruction_set()) break;
     for (std::size_t n : {3, 4, 7, 20, 49})
       for (std::size_t w = 2; w <= 14; ++w)
-        for (const Amf::Boundary_condition ends : {Amf::Boundary_condition::REFLECT, Amf::Boundary_condition::REPLICATE, Amf::Boundary_condition::TRUNCATE}) {
+        for (const Amf::Boundary_condition ends : all_ends) {
           Amf::Box_temporal_filter filter(w, ends);
           const double unit = filter.unit_variance(n, frame_duration);
           filter.initialize(n, frame_duration, {unit, 4 * unit}); // three passes from level to level

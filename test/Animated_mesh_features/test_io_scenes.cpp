@@ -17,6 +17,7 @@
 #include <CGAL/Animated_mesh_features/IO/Output_folder.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -83,6 +84,13 @@ void test_features_in_frames()
     const double expected =
         frame >= 7 && frame <= 14 ? std::exp(-std::pow((0.1 * double(frame) - 1.04) / 0.2, 2) / 2) : 0;
     CHECK_NEAR(Programs::opacity_in_frame(f, frame, 0.1), expected, 1e-12);
+  }
+  // in a cyclic animation of 1.2 s across the end
+  for (std::size_t frame = 0; frame < 12; ++frame) {
+    CHECK(Programs::lives_in_frame(f, frame, 0.1, 1.2) == (frame <= 2 || frame >= 7));
+    const double away = std::abs(0.1 * double(frame) - 1.04), shorter = (std::min)(away, 1.2 - away);
+    const double expected = frame <= 2 || frame >= 7 ? std::exp(-shorter * shorter / (2 * 0.2 * 0.2)) : 0;
+    CHECK_NEAR(Programs::opacity_in_frame(f, frame, 0.1, 1.2), expected, 1e-12);
   }
   // shorter than the time between frames
   f.tau = 0.001;

@@ -281,9 +281,10 @@ export class Scene {
     return place;
   }
 
-  /** How much of a feature is seen at a time, from 0 to 1. */
+  /** How much of a feature is seen at a time, from 0 to 1. In a cyclic animation it lives on across the end. */
   opacity(feature, time) {
-    const distance = Math.abs(time - feature.time) / feature.tau;
+    const away = Math.abs(time - feature.time), period = this.frames * this.frame_duration;
+    const distance = (this.cyclic ? Math.min(away, period - away) : away) / feature.tau;
     return distance <= 2 ? Math.exp((-distance * distance) / 2) : 0;
   }
 }

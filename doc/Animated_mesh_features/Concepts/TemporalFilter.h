@@ -52,6 +52,16 @@ public:
   template <class T>
   void operator()(std::size_t l, const T* in, T* out) const;
 
+  /// \name What Cyclic Animations Need
+  /// Optional; see `CGAL::Animated_mesh_features::is_periodic()`.
+  /// @{
+
+  /// whether the filter continues a row by itself, ... F-2 F-1 | 0 1 2 ...: the last frame is followed by the first. Then
+  /// the search and all that is measured in time goes on across the end, too. Without it: `false`.
+  bool is_periodic() const;
+
+  /// @}
+
   /// \name What Makes the Search Fast
   /// Optional. Without it, and with it, the same extrema are found.
   /// @{
@@ -79,8 +89,8 @@ public:
 
   /// the weights of level `l` with respect to the row that is not smoothed, by distance on the circle of 2 F frames on
   /// which a row and its mirror image live: at most F + 1 of them, the rest being zero; the weight of a frame of the row
-  /// in another is the sum of those of its distance and of the distance of its mirror image. Called if `reflects()`, from
-  /// several threads.
+  /// in another is the sum of those of its distance and of the distance of its mirror image. With `is_periodic()`, by
+  /// distance on the circle of F frames, at most F / 2 + 1 of them. Called if one of the two is true, from several threads.
   std::vector<double> weights_by_distance(std::size_t l) const;
 
   /// @}

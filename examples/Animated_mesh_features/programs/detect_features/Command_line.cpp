@@ -74,6 +74,7 @@ Command_line parse_command_line(int argc, const char* const* argv)
     complete(c.output);
     Programs::check_outputs(c.output.paths(), c.reading.paths());
   }
+  c.reading.is_cyclic = c.method.is_cyclic;
   c.output.is_curvature_used = c.method.alpha.value_or(1) != 0;
   return c;
 }

@@ -27,6 +27,7 @@ struct Detection
   Method_values values;
   double ball_radius = 0;                  // length; 0 if no balls were needed
   bool bounds_ball_radius = false;         // the default is smaller, as balls would have too many vertices
+  double closing_step = 0;                 // of a cyclic animation, see closing_step()
   std::optional<Missing_features> missing; // if there are no features
 };
 

@@ -87,6 +87,11 @@ void add_filter_options(Option_group& group, Method_options& o)
             "scale (surface, default), or to that of a plane (plane, p)",
             to_choice(o.dimension));
   group.add("temporal-filter", "NAME", "gaussian (default), box (p)", to_choice(o.temporal_filter));
+  group.add_switch(
+      "cyclic", o.is_cyclic,
+      "the last frame is followed by the first, as in a step of a gait that is walked again and again: no "
+      "reflecting ends, and a feature may lie across the end. The period is as many frames as there are; a last "
+      "frame that repeats the first is left out");
   group.add("box-width", "W",
             "width of the temporal box in frames; preset published only (default: a sixth of the frames)",
             [&](const Argument& a) { o.box_width = a.count(); });
@@ -108,7 +113,7 @@ void add_scale_options(Option_group& group, Method_options& o)
             [&](const Argument& a) { o.sigma = Programs::range(a, Programs::length); });
   group.add("tau-range", "MIN:MAX",
             "how long events may last (tau, the standard deviation in time), in seconds; either may be left out "
-            "(default: from one frame to a third of the duration). Preset calibrated only",
+            "(default: from one frame to a third of the duration, with --cyclic to a quarter). Preset calibrated only",
             [&](const Argument& a) {
               o.tau = Programs::range(a, [](const Argument& bound) { return bound.positive_number(); });
             });

@@ -90,6 +90,7 @@ struct Method_options
   std::optional<Programs::Length> ball_radius;
   Programs::Range<Programs::Length> sigma;
   Programs::Range<double> tau; // seconds
+  bool is_cyclic = false;      // the last frame is followed by the first
 
   // of the preset PUBLISHED only
   std::optional<std::size_t> box_width; // frames

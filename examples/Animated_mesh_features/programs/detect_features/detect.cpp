@@ -7,11 +7,14 @@
 #include "detect_features/detect.h"
 
 #include "detect_features/Search.h"
+#include "detect_features/closing_step.h"
 #include "detect_features/measure_deformation.h"
 #include "detect_features/method_policies.h"
 #include "detect_features/with_temporal_filter.h"
 
+#include <CGAL/Animated_mesh_features/Animation/last_frame_repeats_first.h>
 #include <CGAL/Animated_mesh_features/Detection/place_on_animation.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <utility>
 
@@ -33,16 +36,27 @@ Search_result search_features(Search search, const Method_options& o, const Meth
   });
 }
 
+// Of files it was left out.
+void check_period(const Sequence& sequence)
+{
+  const auto& animation = sequence.trajectories();
+  if (AMF::last_frame_repeats_first(animation.x, animation.y, animation.z))
+    throw AMF::Option_error(
+        "--cyclic: the last frame repeats the first; leave it out: the first follows the last in any case");
+}
+
 } // namespace
 
 Detection detect(const Sequence& sequence, const Method_options& o, std::size_t level_memory, Wanted_fields& fields,
                  Monitor& monitor)
 {
+  if (o.is_cyclic) check_period(sequence);
   Detection detection;
   detection.values = method_values(o, sequence.number_of_frames());
   Deformation deformation = measure_deformation(sequence, o, detection.values, fields, monitor);
   detection.ball_radius = deformation.ball_radius;
   detection.bounds_ball_radius = deformation.bounds_ball_radius;
+  if (o.is_cyclic) detection.closing_step = closing_step(deformation.field);
 
   Search search{sequence.rest_shape(),
                 sequence.frame_duration(),

@@ -101,12 +101,24 @@ std::string burst_notice(const Detection& d)
   return os.str();
 }
 
+// Ends that do not meet make an event of their own, all over the body.
+std::string cycle_notice(const Method_options& o, const Detection& d)
+{
+  const double worth_telling = 1.5;
+  if (!o.is_cyclic || d.closing_step <= worth_telling) return "";
+  std::ostringstream os;
+  os.precision(2);
+  os << "note: --cyclic: from the last frame to the first the deformation changes by " << d.closing_step
+     << " times as much as it ever does from a frame to the next: look whether the frames are one whole period\n";
+  return os.str();
+}
+
 } // namespace
 
 std::string detection_notices(const Programs::Sequence& sequence, const Method_options& options, const Detection& detection)
 {
-  if (detection.features.empty()) return ""; // then the summary tells why
-  return burst_notice(detection) + limits_notice(sequence, options, detection) +
+  if (detection.features.empty()) return cycle_notice(options, detection); // the summary tells why there are none
+  return cycle_notice(options, detection) + burst_notice(detection) + limits_notice(sequence, options, detection) +
          coarse_notice(sequence, options, detection);
 }
 

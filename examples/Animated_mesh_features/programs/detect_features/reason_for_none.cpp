@@ -58,7 +58,7 @@ std::string causes(const Sequence& sequence, const Method_options& o, const Dete
   const Missing_features& m = *d.missing;
   std::ostringstream largest;
   largest << "; the largest deformation, " << m.deformation << ", is at vertex " << m.vertex << " in frame " << m.frame;
-  if (m.frame == 0 || m.frame + 1 == sequence.number_of_frames())
+  if (!o.is_cyclic && (m.frame == 0 || m.frame + 1 == sequence.number_of_frames()))
     largest << ", the " << (m.frame == 0 ? "first" : "last")
             << ": what only grows or fades has no moment of its own (of a clip, --there-and-back makes one)";
   else if (causes.empty() && o.preset == Preset::CALIBRATED)

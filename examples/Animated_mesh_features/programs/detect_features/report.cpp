@@ -76,6 +76,7 @@ void add_method_parameters(AMF::IO::Result_description& d, const Method_options&
   d.add("baseline", name(o.baseline));
   d.add("spatial_filter", name(o.spatial_filter));
   d.add("temporal_filter", name(o.temporal_filter));
+  d.add("cyclic", o.is_cyclic);
   d.add("dimension", name(o.dimension));
   add_if(values.box_width > 0, d, "box_width", values.box_width);
   add_if(o.space_counts.has_value(), d, "space_counts", o.space_counts.value_or(0));

@@ -47,12 +47,13 @@ Memory_plan memory_plan(const Run_options& o)
 }
 
 // The animation and the features as writers of scenes take them.
-Shown_scene scene(const Reading_options& reading, const Animation& animation, const Detection& detection,
+Shown_scene scene(const Command_line& c, const Animation& animation, const Detection& detection,
                   const Wanted_fields& fields)
 {
-  std::filesystem::path first = reading.inputs.front();
+  std::filesystem::path first = c.reading.inputs.front();
   if (!first.has_filename()) first = first.parent_path(); // of "frames/"
   Shown_scene s{animation.sequence(), detection.features, {}, first.stem().string()};
+  s.is_cyclic = c.method.is_cyclic;
   for (const auto& f : fields.kept()) s.fields.push_back({name(f.kind), &f.values});
   return s;
 }
@@ -117,7 +118,7 @@ Outcome run(const Command_line& c, const std::string& name, const std::string& p
   const Detection detection = detect(sequence, c.method, plan.level_memory(), fields, *monitor);
   monitor.reset();
   Interruption::check();
-  Shown_scene shown = scene(c.reading, animation, detection, fields);
+  Shown_scene shown = scene(c, animation, detection, fields);
   std::optional<Scene_views> views;
   if (c.output.has_chosen_views()) {
     monitor.emplace(log, !c.run.quiet, progress);

@@ -10,6 +10,7 @@
 #include "detect_features/Method_options.h"
 #include "detect_features/Method_values.h"
 
+#include <CGAL/Animated_mesh_features/Scale_space/Boundary_condition.h>
 #include <CGAL/Animated_mesh_features/Scale_space/Box_temporal_filter.h>
 #include <CGAL/Animated_mesh_features/Scale_space/Gaussian_temporal_filter.h>
 
@@ -20,8 +21,10 @@ template <class Use>
 auto with_temporal_filter(const Method_options& o, const Method_values& values, const Use& use)
 {
   namespace AMF = CGAL::Animated_mesh_features;
-  return o.temporal_filter == Temporal_filter::BOX ? use(AMF::Box_temporal_filter(values.box_width))
-                                                   : use(AMF::Gaussian_temporal_filter());
+  const AMF::Boundary_condition ends =
+      o.is_cyclic ? AMF::Boundary_condition::PERIODIC : AMF::Boundary_condition::REFLECT;
+  return o.temporal_filter == Temporal_filter::BOX ? use(AMF::Box_temporal_filter(values.box_width, ends))
+                                                   : use(AMF::Gaussian_temporal_filter(ends));
 }
 
 } // namespace Detect_features

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <variant>
 
 namespace AMF = CGAL::Animated_mesh_features;
 
@@ -60,6 +61,13 @@ Feature_file::Feature_file(const std::string& path)
     if (!(data.features[i].sigma > 0) || !(data.features[i].tau > 0))
       throw AMF::Input_error(path + ": features[" + std::to_string(i) + "]: sigma and tau must be positive");
   sort_by_strength(data);
+}
+
+bool Feature_file::is_cyclic() const
+{
+  for (const auto& [name, value] : data.description.parameters)
+    if (name == "cyclic") return std::get_if<bool>(&value) != nullptr && std::get<bool>(value);
+  return false;
 }
 
 Points read_points(const std::string& file, const Feature_file& features)

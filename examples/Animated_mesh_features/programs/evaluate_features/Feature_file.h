@@ -33,6 +33,7 @@ struct Feature_file
   double frame_duration() const { return data.description.frame_duration; }
   std::size_t frames() const { return data.description.frames; }
   double duration() const { return double(frames()) * frame_duration(); }
+  bool is_cyclic() const; // whether the last frame of the animation is followed by the first
 };
 
 // The points of a mesh on which features were found: throws Input_error unless it has as many vertices.

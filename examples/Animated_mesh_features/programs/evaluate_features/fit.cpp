@@ -62,8 +62,8 @@ public:
   std::string help() const override
   {
     return R"(For each feature the correlation, weighted by area, of the field with exp(-d^2 / 2 sigma^2) exp(-dt^2 / 2 tau^2), over the
-vertices within 2.5 sigma (along edges of the rest shape) and the frames within 2.5 tau; and the area of the disc of radius
-sqrt(2) sigma over that of a flat one. FIELD is what detect_features --write-field deformation:FIELD.npy writes. Chance: as
+vertices within 2.5 sigma (along edges of the rest shape) and the frames within 2.5 tau, across the end if the features were
+found with --cyclic; and the area of the disc of radius sqrt(2) sigma over that of a flat one. FIELD is what detect_features --write-field deformation:FIELD.npy writes. Chance: as
 many features of the same scales at random vertices and times.
 )";
   }
@@ -89,7 +89,7 @@ many features of the same scales at random vertices and times.
     const Field field = read_field(m_files[1], file);
     const AMF::Rest_shape shape = read_shape(m_files[2], file);
     const std::vector<double> areas = AMF::vertex_areas(shape);
-    AMF::Feature_fit_measure<float> measure(shape, areas, field, file.frame_duration());
+    AMF::Feature_fit_measure<float> measure(shape, areas, field, file.frame_duration(), file.is_cyclic());
     std::vector<Measured_feature> measured;
     for (std::size_t i = 0; i < (std::min)(m_top, file.features().size()); ++i)
       measured.push_back({file.features()[i], measure(file.features()[i])});

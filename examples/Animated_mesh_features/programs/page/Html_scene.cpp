@@ -151,6 +151,7 @@ Json Html_scene::description() const
           {"colours",
            {{"field", samples(Rendering::field_colours())}, {"duration", samples(Rendering::duration_colours())}}},
           {"features", m_scene.features}};
+  if (m_scene.is_cyclic) result["cyclic"] = true;
   if (m_surface.is_thinned()) {
     result["all_vertices"] = sequence.number_of_vertices();
     result["all_faces"] = sequence.rest_shape().triangles().size();

@@ -40,7 +40,7 @@ struct Html_report
 //   space is not kept.
 // - Fields are rounded to 224 values between the smallest and the 99.5th percentile, at which colours end, and to 32 above.
 // - All are written as differences from what a neighbour's motion predicts, in byte planes, deflated, as base64.
-// - Features are written as IO::write_json() does.
+// - Features are written as IO::write_json() does; "cyclic" is there, and true, if they live on across the end.
 // - "view" tells where the page opens: what points up, and the direction to the camera; null if that is left to the page.
 //
 // A scene of more vertices times frames than `Html_options::most_positions` is thinned out, see html_sampling(). In space:

@@ -63,12 +63,12 @@ std::vector<Rendering::Sphere> Scene_pictures::spheres(std::size_t frame) const
   std::vector<Rendering::Sphere> result;
   for (std::size_t i = 0; i < m_scene.features.size(); ++i) {
     const Shown_feature& f = m_scene.features[i];
-    if (!lives_in_frame(f, frame, step)) continue;
+    if (!lives_in_frame(f, frame, step, period(m_scene))) continue;
     const std::array<double, 3> p = position_in_frame(m_scene.sequence, f, frame);
     Rendering::Sphere s;
     s.centre = Eigen::Vector3d(p[0], p[1], p[2]);
     s.radius = f.radius();
-    s.opacity = float(opacity_in_frame(f, frame, step));
+    s.opacity = float(opacity_in_frame(f, frame, step, period(m_scene)));
     s.filling = float((std::min)(1., largest_filled / s.radius));
     s.colour = Rendering::duration_colours()(m_places[i]);
     s.is_dashed = f.at_scale_limit;

@@ -79,7 +79,9 @@ private:
 
   double duration() const
   {
-    return double(m_scene.sequence.number_of_frames() - 1) * m_scene.sequence.frame_duration();
+    // of a cyclic animation, to where it begins again
+    const std::size_t frames = m_scene.sequence.number_of_frames();
+    return double(m_scene.is_cyclic ? frames : frames - 1) * m_scene.sequence.frame_duration();
   }
 
   // The colour of a duration: see relative_taus().

@@ -197,6 +197,7 @@ void Animation::take(const Reading_options& options, File_data& data)
   m_files.insert(m_files.end(), data.linked_files.begin(), data.linked_files.end());
   if (!options.rest.file.empty()) m_files.push_back(options.rest.file);
   if (options.frame_range) keep_frames(*options.frame_range, data);
+  if (options.is_cyclic) leave_out_repeated_frame(data);
   if (data.frames < 3)
     throw AMF::Input_error(data.sources.back() + ": the animation has " + std::to_string(data.frames) +
                            " frames; at least 3 are needed, since a feature has a frame before and one after it");

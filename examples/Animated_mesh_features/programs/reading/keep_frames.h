@@ -19,6 +19,9 @@ namespace Programs {
 // throws Option_error if there are no such frames.
 void keep_frames(const Frame_range& range, CGAL::Animated_mesh_features::IO::Animation_file_data<FT>& data);
 
+// Leaves out the last frame if it repeats the first, as of a clip that is made for a loop, and tells it. Likewise.
+void leave_out_repeated_frame(CGAL::Animated_mesh_features::IO::Animation_file_data<FT>& data);
+
 } // namespace Programs
 
 #endif // PROGRAMS_READING_KEEP_FRAMES_H

@@ -127,23 +127,19 @@ void Gltf_features::add_life(const Shown_feature& feature, Gltf_buffer& buffer)
 {
   const std::size_t frames = m_scene.sequence.number_of_frames();
   const double duration = m_scene.sequence.frame_duration();
-  std::size_t first = feature.frame, last = feature.frame;
-  while (first > 0 && lives_in_frame(feature, first - 1, duration)) --first;
-  while (last + 1 < frames && lives_in_frame(feature, last + 1, duration)) ++last;
-  std::vector<float> times, places;
-  for (std::size_t f = first; f <= last; ++f) {
+  const auto lives = [&](std::size_t f) { return lives_in_frame(feature, f, duration, period(m_scene)); };
+  // Sampled at the times of frames, it is there in its frames and in no other, however times are rounded.
+  const float radius = static_cast<float>(feature.radius());
+  std::vector<float> times, places, switch_times = {0}, sizes(3, lives(0) ? radius : 0);
+  for (std::size_t f = 0; f < frames; ++f) {
+    if (f > 0 && lives(f) != lives(f - 1)) {
+      switch_times.push_back(static_cast<float>((double(f) - 0.5) * duration));
+      sizes.insert(sizes.end(), 3, lives(f) ? radius : 0);
+    }
+    if (!lives(f)) continue;
     times.push_back(static_cast<float>(double(f) * duration));
     for (double x : position_in_frame(m_scene.sequence, feature, f)) places.push_back(static_cast<float>(x));
   }
-  // Sampled at the times of frames, it is there in its frames and in no other, however times are rounded.
-  const float radius = static_cast<float>(feature.radius());
-  std::vector<float> switch_times = {0}, sizes(3, first == 0 ? radius : 0);
-  const auto add_switch = [&](double frame, float size) {
-    switch_times.push_back(static_cast<float>(frame * duration));
-    sizes.insert(sizes.end(), 3, size);
-  };
-  if (first > 0) add_switch(double(first) - 0.5, radius);
-  if (last + 1 < frames) add_switch(double(last) + 0.5, 0);
   Life life;
   life.place = {{places[0], places[1], places[2]}};
   life.size = sizes[0];

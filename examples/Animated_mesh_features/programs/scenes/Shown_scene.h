@@ -38,6 +38,7 @@ struct Shown_scene
   std::vector<Scene_field> fields;            // as many as there are, the most interesting one first
   std::string title;                          // one line, UTF-8
   const Scene_views* views = nullptr;         // where it is looked at from, if that is known; not owned
+  bool is_cyclic = false;                     // whether the last frame is followed by the first
 
   // the field of that name; null if there is none
   const Shown_values* field(const std::string& name) const;

@@ -6,22 +6,39 @@
 
 #include "scenes/feature_in_frame.h"
 
+#include <algorithm>
 #include <cmath>
 
 using CGAL::Animated_mesh_features::Feature_point;
 
 namespace Programs {
 
-bool lives_in_frame(const Feature_point& feature, std::size_t f, double frame_duration)
+namespace {
+
+// From a feature's time to a frame; in a cyclic animation the shorter way round.
+double time_to_frame(const Feature_point& feature, std::size_t f, double frame_duration, double period)
 {
-  return f == feature.frame || std::abs(double(f) * frame_duration - feature.time) <= feature_life * feature.tau;
+  const double distance = std::abs(double(f) * frame_duration - feature.time);
+  return period > 0 ? (std::min)(distance, period - distance) : distance;
 }
 
-double opacity_in_frame(const Feature_point& feature, std::size_t f, double frame_duration)
+} // namespace
+
+double period(const Shown_scene& scene)
 {
-  if (!lives_in_frame(feature, f, frame_duration)) return 0;
+  return scene.is_cyclic ? double(scene.sequence.number_of_frames()) * scene.sequence.frame_duration() : 0;
+}
+
+bool lives_in_frame(const Feature_point& feature, std::size_t f, double frame_duration, double period)
+{
+  return f == feature.frame || time_to_frame(feature, f, frame_duration, period) <= feature_life * feature.tau;
+}
+
+double opacity_in_frame(const Feature_point& feature, std::size_t f, double frame_duration, double period)
+{
+  if (!lives_in_frame(feature, f, frame_duration, period)) return 0;
   if (!(feature.tau > 0)) return 1; // then it lives in one frame only
-  const double distance = (double(f) * frame_duration - feature.time) / feature.tau;
+  const double distance = time_to_frame(feature, f, frame_duration, period) / feature.tau;
   return std::exp(-distance * distance / 2);
 }
 

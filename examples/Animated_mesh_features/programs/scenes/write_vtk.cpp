@@ -87,7 +87,7 @@ public:
     const double frame_duration = scene.sequence.frame_duration();
     for (std::size_t i = 0; i < scene.features.size(); ++i) {
       const Shown_feature& feature = scene.features[i];
-      if (!lives_in_frame(feature, f, frame_duration)) continue;
+      if (!lives_in_frame(feature, f, frame_duration, period(scene))) continue;
       for (double x : position_in_frame(scene.sequence, feature, f)) m_points.push_back(x);
       m_sigma.push_back(feature.sigma);
       m_tau.push_back(feature.tau);
@@ -96,7 +96,7 @@ public:
       m_amplitude.push_back(feature.amplitude);
       m_fit.push_back(feature.fit);
       m_radius.push_back(feature.radius());
-      m_opacity.push_back(opacity_in_frame(feature, f, frame_duration));
+      m_opacity.push_back(opacity_in_frame(feature, f, frame_duration, period(scene)));
       m_vertex.push_back(static_cast<std::int64_t>(feature.vertex_index));
       m_frame.push_back(static_cast<std::int64_t>(feature.frame));
       m_rank.push_back(static_cast<std::int64_t>(i + 1));

@@ -14,6 +14,7 @@
 #include <CGAL/Animated_mesh_features/Detection/Feature_selection.h>
 #include <CGAL/Animated_mesh_features/Detection/Spatio_temporal_feature.h>
 #include <CGAL/Animated_mesh_features/Detection/internal/Fitted_minima.h>
+#include <CGAL/Animated_mesh_features/Detection/internal/Time_difference.h>
 #include <CGAL/Animated_mesh_features/Detection/internal/selected_features.h>
 #include <CGAL/Animated_mesh_features/Extrema/Extremum_options.h>
 #include <CGAL/Animated_mesh_features/Extrema/find_response_extrema.h>
@@ -21,6 +22,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Stage_scope.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
+#include <CGAL/Animated_mesh_features/Scale_space/is_periodic.h>
 
 #include <CGAL/tags.h>
 
@@ -48,6 +50,10 @@ The strength of a feature is its amplitude times its fit (see `Feature_point`), 
 
 A feature's `vertex` is the same as its `vertex_index`, and its `position` is that on the rest shape; `place_on_animation()`
 puts it on a moving mesh.
+
+With a temporal filter that joins the ends of a row (`Boundary_condition::PERIODIC`), the animation is cyclic: its period is F
+frames, a feature may be in any of them and lie across the end, and all differences in time are taken the shorter way round.
+What is found is what would be found in each period if the frames were repeated for ever.
 
 \tparam FT `float` or `double`, the scalar of the field.
 \tparam Options an `Extremum_options`; a `Detection_options` is one.
@@ -121,8 +127,11 @@ public:
       // a range of no length: the search before has told all of the progress
       Task_loop<ConcurrencyTag, Any_visitor>(visitor, Stage::EXTREMA, 1, 1)(tasks, task);
     };
+    const bool is_cyclic = is_periodic(m_options.temporal_filter);
+    const internal::Time_difference between(is_cyclic ? double(m_field.number_of_frames()) * m_frame_duration : 0);
     const std::vector<Feature> selected = internal::selected_features(
-        *m_shape, m_minima->above(m_selection, *m_shape, m_field, m_frame_duration, measure), m_selection);
+        *m_shape, m_minima->above(m_selection, *m_shape, m_field, m_frame_duration, is_cyclic, measure), m_selection,
+        between);
     return std::copy(selected.begin(), selected.end(), out);
   }
 

@@ -33,7 +33,8 @@ struct Feature_point
   /// the frame at which the response is minimal, from 0.
   std::size_t frame = 0;
 
-  /// the time of the minimum (seconds), refined between frames; within half a frame of `frame`.
+  /// the time of the minimum (seconds), refined between frames; within half a frame of `frame`. In a cyclic animation from 0
+  /// to below the period, so that the first frame may have a time half a frame before the end.
   double time = 0;
 
   /// the same as a number of frames: `time` over the time between two frames.
@@ -48,7 +49,7 @@ struct Feature_point
   std::array<double, 3> barycentric_coordinates = {{1, 0, 0}}; ///< without unit
   /// @}
 
-  /// the place on the animated surface at `time`, linear between frames; that on the rest shape, if no animation is known
+  /// the place on the animated surface at `time`, linear between frames (see `place_on_animation()`); that on the rest shape, if no animation is known
   /// (see `Feature_detector`).
   std::array<double, 3> position = {{0, 0, 0}};
 

@@ -40,7 +40,7 @@ struct Feature_selection
   std::size_t most_features = std::size_t(-1);
 
   /// whether to drop what lies within max(sigma) on the surface and max(tau) in time of a stronger feature, if sigma
-  /// and tau of the two are each within a factor of 1.5.
+  /// and tau of the two are each within a factor of 1.5. In a cyclic animation times differ by the shorter way round.
   bool suppress_non_maxima = true;
 
   /// whether features may lie on the border of the mesh, where the smoothing knows only one side.

@@ -53,6 +53,8 @@ by the area of its vertex: 1 for a Gaussian event, near 0 for a place whose fiel
 `frames_per_tau` frames or more, times n, only every n-th frame is compared, counted from that of the feature: a Gaussian is
 told by a thousand frames as well as by all of them.
 
+A cyclic animation goes on on either side of its frames.
+
 The fit is that of the vertex and not of the refined place, from which it differs by less than an edge.
 
 Keeps `N` distances; the objects that it is made of are kept by reference. For `k` vertices around a feature and `m` frames,
@@ -78,13 +80,15 @@ public:
   \param areas of its `N` vertices, see `vertex_areas()`.
   \param field `N x F`, finite.
   \param frame_duration the time between two frames (s), positive.
+  \param is_cyclic whether the last frame is followed by the first.
   \throw Option_error if the numbers of vertices differ or the time between two frames is not positive.
   */
   Feature_fit_measure(const Rest_shape& shape, const std::vector<double>& areas, const Spatio_temporal_field<FT>& field,
-                      double frame_duration)
+                      double frame_duration, bool is_cyclic = false)
     : m_areas(&areas)
     , m_field(&field)
     , m_frame_duration(frame_duration)
+    , m_is_cyclic(is_cyclic)
     , m_paths(shape)
   {
     const std::size_t n = shape.number_of_vertices();
@@ -103,7 +107,10 @@ public:
     const std::vector<Rest_shape::Index>& around =
         m_paths.run(std::array<Rest_shape::Index, 1>{{Rest_shape::Index(feature.vertex_index)}}, reach * feature.sigma);
     measure_disc(feature, around);
-    measure_frames(feature);
+    if (m_is_cyclic)
+      measure_frames_around(feature);
+    else
+      measure_frames(feature);
     Feature_fit result;
     result.area_ratio = m_disc_area / (2 * 3.14159265358979323846 * feature.sigma * feature.sigma);
     if (m_area > 0 && !m_in_time.values.empty()) result.fit = correlation(around);
@@ -174,6 +181,33 @@ private:
       m_in_time.values.push_back(gaussian(time(m), f.tau));
       sum += m_in_time.values.back();
     }
+    measure_moments(sum);
+  }
+
+  // The same in an animation that goes on on either side.
+  void measure_frames_around(const Feature_point& f)
+  {
+    m_in_time.values.clear();
+    m_compared.clear();
+    const double middle = f.time / m_frame_duration, tau = f.tau / m_frame_duration,
+                 frames = double(m_field->number_of_frames());
+    const double step = std::floor((std::max)(1., tau / frames_per_tau)), nearest = std::floor(middle + 0.5);
+    double sum = 0;
+    for (double n = std::ceil((middle - reach * tau - nearest) / step - 1);
+         n <= (middle + reach * tau - nearest) / step + 1; ++n) {
+      const double frame = nearest + n * step, distance = frame * m_frame_duration - f.time;
+      if (!(std::abs(distance) <= reach * f.tau)) continue;
+      m_compared.push_back(
+          (std::min)(std::size_t(frame - frames * std::floor(frame / frames)), m_field->number_of_frames() - 1));
+      m_in_time.values.push_back(gaussian(distance, f.tau));
+      sum += m_in_time.values.back();
+    }
+    measure_moments(sum);
+  }
+
+  // Of the Gaussian in time, whose values have that sum.
+  void measure_moments(double sum)
+  {
     const double n = (std::max)(1., double(m_in_time.values.size()));
     m_in_time.mean = sum / n;
     double squares = 0;
@@ -181,13 +215,23 @@ private:
     m_in_time.variance = squares / n;
   }
 
-  double correlation(const std::vector<Rest_shape::Index>& around) const
+  // The frames of a vertex that are compared, each `m_step` after the one before.
+  const FT* compared_frames(std::size_t v)
+  {
+    const FT* const row = m_field->row(v);
+    if (!m_is_cyclic) return row + m_first_frame;
+    m_gathered.resize(m_compared.size());
+    for (std::size_t m = 0; m < m_compared.size(); ++m) m_gathered[m] = row[m_compared[m]];
+    return m_gathered.data();
+  }
+
+  double correlation(const std::vector<Rest_shape::Index>& around)
   {
     const std::size_t frames = m_in_time.values.size();
     const double weight = 1 / (m_area * double(frames));
     double mean = 0;
     for (Rest_shape::Index v : around) {
-      const FT* const x = m_field->row(v) + m_first_frame;
+      const FT* const x = compared_frames(v);
       double sum = 0;
       for (std::size_t m = 0; m < frames; ++m) sum += double(x[m * m_step]);
       mean += weight * (*m_areas)[v] * sum;
@@ -195,7 +239,7 @@ private:
     // The mean is rounded: what is left of it is taken out below.
     double left = 0, variance = 0, covariance = 0;
     for (std::size_t i = 0; i < around.size(); ++i) {
-      const FT* const x = m_field->row(around[i]) + m_first_frame;
+      const FT* const x = compared_frames(around[i]);
       double sum = 0, squares = 0, products = 0;
       for (std::size_t m = 0; m < frames; ++m) {
         const double y = double(x[m * m_step]) - mean;
@@ -222,12 +266,15 @@ private:
   const std::vector<double>* m_areas;
   const Spatio_temporal_field<FT>* m_field;
   double m_frame_duration;
+  bool m_is_cyclic;
   internal::Bounded_dijkstra m_paths;
 
   // of the feature that is being measured
   Factor m_in_space, m_in_time;
   double m_area = 0, m_disc_area = 0;
   std::size_t m_first_frame = 0, m_step = 1; // the frames that are compared, each so many after the one before
+  std::vector<std::size_t> m_compared;       // of a cyclic animation those frames themselves,
+  std::vector<FT> m_gathered;                // and their values at a vertex, one after the other
 };
 
 /*!
@@ -235,15 +282,16 @@ private:
 
 measures a single feature; for several, a `Feature_fit_measure` saves what they share.
 
-\param shape, areas, field, frame_duration see `Feature_fit_measure`.
+\param shape, areas, field, frame_duration, is_cyclic see `Feature_fit_measure`.
 \param feature a feature of the field.
 \throw Option_error, Input_error as `Feature_fit_measure` does.
 */
 template <class FT>
 Feature_fit feature_fit(const Rest_shape& shape, const std::vector<double>& areas,
-                        const Spatio_temporal_field<FT>& field, double frame_duration, const Feature_point& feature)
+                        const Spatio_temporal_field<FT>& field, double frame_duration, const Feature_point& feature,
+                        bool is_cyclic = false)
 {
-  return Feature_fit_measure<FT>(shape, areas, field, frame_duration)(feature);
+  return Feature_fit_measure<FT>(shape, areas, field, frame_duration, is_cyclic)(feature);
 }
 
 } // namespace Animated_mesh_features

@@ -21,7 +21,8 @@ namespace Animated_mesh_features {
 \ingroup PkgAnimatedMeshFeaturesDetection
 
 places a feature that was found over a rest shape on the animation that this is the rest shape of: the same feature with
-the mesh's own vertex, and with its position on the moving surface, linear between the frames before and after.
+the mesh's own vertex, and with its position on the moving surface, linear between the frames before and after. After the
+last frame comes the first, which only a feature of a cyclic animation may need.
 
 \param feature of a `Feature_detector`.
 \param animation whose rest shape and frames the feature belongs to.
@@ -32,14 +33,16 @@ place_on_animation(const Feature_point& feature, const Frame_sequence<TriangleMe
 {
   Spatio_temporal_feature<typename Frame_sequence<TriangleMesh, FT>::vertex_descriptor> placed(
       feature, animation.vertex_descriptors()[feature.vertex_index]);
-  // an extremum is neither in the first nor in the last frame, and its offset at most half a frame
-  const std::size_t before = std::size_t(feature.refined_frame);
+  // an extremum is neither in the first nor in the last frame, and its offset at most half a frame; if ends are joined, it
+  // is before the period is over
+  const std::size_t before = std::size_t(feature.refined_frame), frames = animation.number_of_frames();
+  const std::size_t after = before + 1 < frames ? before + 1 : 0;
   const double weight_after = feature.refined_frame - double(before);
   Rest_shape::Point now = Rest_shape::Point::Zero();
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t v = feature.triangle[i];
     now += feature.barycentric_coordinates[i] * ((1 - weight_after) * animation.trajectories().point(v, before) +
-                                                 weight_after * animation.trajectories().point(v, before + 1));
+                                                 weight_after * animation.trajectories().point(v, after));
   }
   for (std::size_t i = 0; i < 3; ++i) placed.position[i] = now[Eigen::Index(i)];
   return placed;

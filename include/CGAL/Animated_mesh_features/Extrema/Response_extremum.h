@@ -24,7 +24,7 @@ struct Response_extremum
 {
   std::size_t vertex = 0;   ///< at which the response is extremal, from 0
   std::size_t frame = 0;    ///< likewise, from 0
-  double refined_frame = 0; ///< between frames; within 1/2 of `frame`
+  double refined_frame = 0; ///< between frames; within 1/2 of `frame`, where ends are joined perhaps across them; in [0, F)
 
   std::array<std::size_t, 3> triangle = {{0, 0, 0}};           ///< vertices of a triangle at `vertex`; all three are `vertex` if it has none
   std::array<double, 3> barycentric_coordinates = {{1, 0, 0}}; ///< of the place in it

@@ -14,6 +14,7 @@
 #include <CGAL/Animated_mesh_features/Extrema/Response_extremum.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Extremum.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Scale_space_engine.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Time_axis.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/refine_extremum.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
@@ -48,7 +49,7 @@ void check_number_of_levels(const Scale_levels& levels)
 
 // An extremum on the grid of samples, refined.
 template <class Options>
-Response_extremum refined(const Extremum& e, const Rest_shape& shape, const Scale_levels& levels,
+Response_extremum refined(const Extremum& e, const Rest_shape& shape, const Time_axis& time, const Scale_levels& levels,
                           const Options& options, const Response_extrema& result)
 {
   typedef typename Options::SpaceTimeResponse Response;
@@ -64,7 +65,7 @@ Response_extremum refined(const Extremum& e, const Rest_shape& shape, const Scal
   Response_extremum r;
   r.vertex = e.vertex;
   r.frame = e.frame;
-  r.refined_frame = double(e.frame) + scales.frame;
+  r.refined_frame = time.wrapped(double(e.frame) + scales.frame);
   r.triangle = place.triangle;
   r.barycentric_coordinates = place.barycentric;
   r.sigma = interpolated_scale(sigma(e.k - 1), sigma(e.k), sigma(e.k + 1), scales.space_level);
@@ -113,6 +114,9 @@ double amplitude(const Extremum& e, const Response_extremum& refined, const Resp
 finds the extrema of the response over the scale space of a field: a field and a rest shape in, refined extrema out. The
 field may be a deformation or anything else that lives on a surface in time; features are made of these extrema by
 `Feature_detector`.
+
+With a temporal filter that joins the ends of a row (see `is_periodic()`), extrema may be in any frame, else not in the first
+nor in the last, which have a neighbour in time on one side only.
 
 Time: linear in `N F` times the number of space levels times the number of time levels, plus the spatial filter. Memory:
 see `Extremum_options::level_memory`; levels live where the field does.
@@ -177,9 +181,10 @@ Response_extrema find_response_extrema(
   engine.set_least_response(noise);
   engine.set_factors(factors);
   engine.set_frame_duration(frame_duration);
+  const internal::Time_axis time(frames, options.temporal_filter);
   for (const internal::Extremum& e : engine.template run<ConcurrencyTag>(field, options.spatial_filter, visitor)) {
     if (!(-e.response() > noise)) continue;
-    Response_extremum extremum = internal::refined(e, shape, levels, options, result);
+    Response_extremum extremum = internal::refined(e, shape, time, levels, options, result);
     extremum.amplitude = internal::amplitude(e, extremum, options.response, factors, result.sigma_levels);
     if (levels.reported_sigma.contains(extremum.sigma) && levels.reported_tau.contains(extremum.tau))
       result.extrema.push_back(extremum);

@@ -136,19 +136,22 @@ public:
   /// whether a row is continued by its mirror image.
   bool reflects() const { return m_ends == Boundary_condition::REFLECT; }
 
-  /// the weights of level `l` with respect to the unsmoothed row, by distance on the circle of 2 F frames on which the row
-  /// and its mirror image live: F + 1 of them. Only if the filter reflects. Linear in F times the number of passes.
+  /// whether a row is continued by itself.
+  bool is_periodic() const { return m_ends == Boundary_condition::PERIODIC; }
+
+  /// the weights of level `l` with respect to the unsmoothed row, by distance on the circle of F frames, or of the 2 F on which
+  /// the row and its mirror image live: all up to the opposite frame. Only if the filter is periodic or reflects. Linear in F
+  /// times the number of passes.
   std::vector<double> weights_by_distance(std::size_t l) const
   {
-    const std::ptrdiff_t period = 2 * std::ptrdiff_t(m_frames);
-    std::vector<double> circle(std::size_t(period), 0), next(circle.size());
+    std::vector<double> circle(is_periodic() ? m_frames : 2 * m_frames, 0), next(circle.size());
     circle[0] = 1;
     for (std::size_t level = 0; level <= l; ++level)
       for (std::size_t pass = 0; pass < m_steps[level].passes; ++pass) {
         average_on_circle(m_steps[level].box, circle, next);
         circle.swap(next);
       }
-    circle.resize(m_frames + 1);
+    circle.resize(circle.size() / 2 + 1);
     return circle;
   }
   /// @}

@@ -7,9 +7,11 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_SCALE_SPACE_GAUSSIAN_TEMPORAL_FILTER_H
 #define CGAL_ANIMATED_MESH_FEATURES_SCALE_SPACE_GAUSSIAN_TEMPORAL_FILTER_H
 
-#include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
-#include <CGAL/Animated_mesh_features/Scale_space/internal/discrete_gaussian.h>
+#include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
+#include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Boundary_condition.h>
+#include <CGAL/Animated_mesh_features/Scale_space/internal/discrete_gaussian.h>
 
 #include <boost/math/constants/constants.hpp>
 
@@ -28,11 +30,12 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesFilters
 
-Smoothing in time by the discrete Gaussian with reflecting ends; a model of `TemporalFilter`, the default.
+Smoothing in time by the discrete Gaussian with reflecting or joined ends; a model of `TemporalFilter`, the default.
 
 The semigroup of the discrete heat equation: in the basis of the DCT-II, which continues a row by its mirror image, the
-factors are \f$e^{u(\cos(\pi j/F) - 1)}\f$ for the variance u in squared frames \cgalCite{lindeberg1990}. Variances add
-exactly, the mean is kept exactly, and no new extrema appear, whatever the step.
+factors are \f$e^{u(\cos(\pi j/F) - 1)}\f$ for the variance u in squared frames \cgalCite{lindeberg1990}; in the Fourier
+basis of a cyclic animation, which continues it by itself, \f$e^{u(\cos(2\pi j/F) - 1)}\f$. Variances add exactly, the mean
+is kept exactly, and no new extrema appear, whatever the step.
 
 A level costs F times the number of its weights. If steps grow with the variances, a row that has been smoothed needs a
 weight every few frames only: two or three dozen of them altogether in single precision, however wide the Gaussian, and
@@ -51,6 +54,16 @@ public:
   // A row that is turned round comes out turned round, to the last bit: pairs of frames are added first.
   static constexpr bool is_mirror_symmetric = true;
   /// \endcond
+
+  /// makes a filter without levels.
+  /// \param ends what follows the last frame: `Boundary_condition::REFLECT`, or `PERIODIC` for cyclic animations.
+  /// \throw Option_error if it is something else, of which this filter knows nothing.
+  explicit Gaussian_temporal_filter(Boundary_condition ends = Boundary_condition::REFLECT)
+    : m_is_periodic(ends == Boundary_condition::PERIODIC)
+  {
+    if (ends != Boundary_condition::REFLECT && ends != Boundary_condition::PERIODIC)
+      throw Option_error("the Gaussian in time reflects a row or repeats it; other ends are those of boxes only");
+  }
 
   /// the step where a sampling counts steps: the variance of a box of three frames (squared seconds).
   double unit_variance(std::size_t /* number_of_frames */, double frame_duration) const
@@ -110,12 +123,15 @@ public:
     const std::ptrdiff_t n = std::ptrdiff_t(m_frames), reach = k.reach();
     if constexpr (!std::is_arithmetic<T>::value)
       if (k.stride > 1) return convolve_thinned(in, n, k, out);
-    // the row between its mirror images
-    static thread_local std::vector<T> mirrored;
-    if (std::ptrdiff_t(mirrored.size()) < n + 2 * reach) mirrored.resize(std::size_t(n + 2 * reach));
-    T* const row = mirrored.data() + reach;
+    // the row between its images
+    static thread_local std::vector<T> continued;
+    if (std::ptrdiff_t(continued.size()) < n + 2 * reach) continued.resize(std::size_t(n + 2 * reach));
+    T* const row = continued.data() + reach;
     for (std::size_t part = 0; part < k.parts; ++part) {
-      mirror(part == 0 ? in : out, n, reach, row);
+      if (m_is_periodic)
+        repeat(part == 0 ? in : out, n, reach, row);
+      else
+        mirror(part == 0 ? in : out, n, reach, row);
       if constexpr (std::is_arithmetic<T>::value)
         convolve_row(row, n, k, out);
       else
@@ -127,14 +143,18 @@ public:
   /// See `TemporalFilter`.
   /// @{
 
-  /// a row is continued by its mirror image.
-  bool reflects() const { return true; }
+  /// whether a row is continued by its mirror image.
+  bool reflects() const { return !m_is_periodic; }
 
-  /// the weights of level `l` with respect to the unsmoothed row, by distance on the circle of 2 F frames on which the
-  /// row and its mirror image live: up to F + 1 of them, those that are left out are zero. Linear in F.
+  /// whether a row is continued by itself.
+  bool is_periodic() const { return m_is_periodic; }
+
+  /// the weights of level `l` with respect to the unsmoothed row, by distance on the circle of F frames, or of the 2 F on which
+  /// the row and its mirror image live: those up to the opposite frame; those that are left out are zero. Linear in F.
   std::vector<double> weights_by_distance(std::size_t l) const
   {
-    return internal::on_circle(internal::discrete_gaussian(m_variances[l] / (m_frame_duration * m_frame_duration)), m_frames);
+    return internal::on_circle(internal::discrete_gaussian(m_variances[l] / (m_frame_duration * m_frame_duration)),
+                               circle());
   }
   /// @}
 
@@ -164,6 +184,18 @@ private:
     }
   }
 
+  // The same with the row again and again on either side.
+  template <class T>
+  static void repeat(const T* in, std::ptrdiff_t n, std::ptrdiff_t reach, T* row)
+  {
+    std::copy(in, in + n, row);
+    for (std::ptrdiff_t first = 0; first < reach; first += n) {
+      const std::ptrdiff_t count = (std::min)(reach - first, n);
+      std::copy(in + n - count, in + n, row - first - count);
+      std::copy(in, in + count, row + n + first);
+    }
+  }
+
   // Values of single vertices: the registers hold successive frames.
   template <class FT>
   static void convolve_row(const FT* row, std::ptrdiff_t n, const Weights& k, FT* out)
@@ -182,10 +214,10 @@ private:
     if (i < size) sum += pair(i);
   }
 
-  // Values of several vertices, with weights several frames apart: frames that are weighted together, and their mirror
-  // images, are brought together, so that they meet in the caches however long the row is.
+  // Values of several vertices, with weights several frames apart: frames that are weighted together, and their images, are
+  // brought together, so that they meet in the caches however long the row is.
   template <class T>
-  static void convolve_thinned(const T* in, std::ptrdiff_t n, const Weights& k, T* out)
+  void convolve_thinned(const T* in, std::ptrdiff_t n, const Weights& k, T* out) const
   {
     static thread_local std::vector<T> before, gathered;
     const std::ptrdiff_t s = k.stride, reach = std::ptrdiff_t(k.weights.size()) - 1;
@@ -197,18 +229,19 @@ private:
         const std::ptrdiff_t count = (n - first + s - 1) / s, size = count + 2 * reach;
         if (std::ptrdiff_t(gathered.size()) < size) gathered.resize(std::size_t(size));
         std::ptrdiff_t i = 0, f = first - reach * s;
-        for (; i < size && !inner(f); ++i, f += s) gathered[std::size_t(i)] = row[mirrored_frame(f, n)];
+        for (; i < size && !inner(f); ++i, f += s) gathered[std::size_t(i)] = row[original_frame(f, n)];
         for (; i < size && inner(f); ++i, f += s) gathered[std::size_t(i)] = row[f];
-        for (; i < size; ++i, f += s) gathered[std::size_t(i)] = row[mirrored_frame(f, n)];
+        for (; i < size; ++i, f += s) gathered[std::size_t(i)] = row[original_frame(f, n)];
         convolve_every(gathered.data() + reach, count, k, s, out + first);
       }
     }
   }
 
   // The frame of the row of which frame f, anywhere, is an image.
-  static std::ptrdiff_t mirrored_frame(std::ptrdiff_t f, std::ptrdiff_t n)
+  std::ptrdiff_t original_frame(std::ptrdiff_t f, std::ptrdiff_t n) const
   {
-    f = (f % (2 * n) + 2 * n) % (2 * n);
+    const std::ptrdiff_t period = std::ptrdiff_t(circle());
+    f = (f % period + period) % period;
     return f < n ? f : 2 * n - 1 - f;
   }
 
@@ -240,27 +273,30 @@ private:
     for (int f = 0; f < frames; ++f) out[f * spacing] = sum[f];
   }
 
-  // The same by a sum over all frequencies of the circle, F for each weight.
+  // The frames after which a row that goes on repeats: a cyclic one itself, another one after its mirror image.
+  std::size_t circle() const { return m_is_periodic ? m_frames : 2 * m_frames; }
+
+  // The right half of the weights by a sum over all frequencies of the circle, F for each weight.
   std::vector<double> weights_by_frequencies(double u) const
   {
-    const std::size_t period = 2 * m_frames;
+    const std::size_t period = circle();
     std::vector<double> cosine(period), factor(period), values;
     for (std::size_t j = 0; j < period; ++j) {
       cosine[j] = std::cos(boost::math::constants::two_pi<double>() * double(j) / double(period));
       factor[j] = std::exp(u * (cosine[j] - 1)) / double(period);
     }
-    for (std::size_t m = 0; m <= m_frames; ++m) {
+    for (std::size_t m = 0; 2 * m <= period; ++m) {
       double sum = 0;
       for (std::size_t j = 0; j < period; ++j) sum += factor[j] * cosine[(j * m) % period];
       if (m > 0 && sum < 1e-16) break;
       values.push_back(sum);
     }
-    if (values.size() == m_frames + 1) values.back() /= 2; // opposite on the circle: reached from both sides
+    if (2 * (values.size() - 1) == period) values.back() /= 2; // opposite on the circle: reached from both sides
     return values;
   }
 
-  // The right half of the weights of a step of variance u. For short rows on a circle of 2 F frames, where a row and
-  // its mirror image live; that of the opposite frame counts half, since it is reached from both sides.
+  // The right half of the weights of a step of variance u. For short rows on the circle; that of the opposite frame counts
+  // half, since it is reached from both sides.
   std::vector<double> step_weights(double u) const
   {
     return m_frames <= longest_full_row ? weights_by_frequencies(u) : internal::discrete_gaussian(u);
@@ -319,6 +355,7 @@ private:
     return result;
   }
 
+  bool m_is_periodic;
   std::size_t m_frames = 0;
   double m_frame_duration = 0; // seconds
   std::vector<double> m_variances;

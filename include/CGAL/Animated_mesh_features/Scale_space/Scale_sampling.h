@@ -9,6 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Scale_space/Scale_levels.h>
+#include <CGAL/Animated_mesh_features/Scale_space/is_periodic.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <algorithm>
@@ -53,7 +54,8 @@ struct Fixed_ratio_sampling
   Scale_range sigma;
 
   /// the range of \f$\tau\f$ (seconds); by default from one frame to a third of the duration: a gesture that is held
-  /// takes up much of its clip.
+  /// takes up much of its clip. Of a cyclic animation (see `is_periodic()`) to a quarter of the period: the slowest event
+  /// that it can hold, a single wave, has its strongest response at a fifth.
   Scale_range tau;
 
   /// the length in which the response measures \f$\sigma\f$; 0: 5 % of the diameter of the rest shape, the size of a
@@ -75,15 +77,13 @@ struct Fixed_ratio_sampling
   /// \throw Option_error if a range is empty, nothing of it can be resolved by the mesh or by the frames, it goes beyond
   /// `largest_relative_scale`, or has more than `most_levels`.
   template <class SpatialFilter, class TemporalFilter>
-  Scale_levels operator()(const Rest_shape& shape,
-                          std::size_t number_of_frames,
-                          double frame_duration,
-                          const SpatialFilter& spatial,
-                          const TemporalFilter&) const
+  Scale_levels operator()(const Rest_shape& shape, std::size_t number_of_frames, double frame_duration,
+                          const SpatialFilter& spatial, const TemporalFilter& temporal) const
   {
     const double duration = double(number_of_frames) * frame_duration;
     const Scale_range s = completed(sigma, 0.007 * shape.diameter(), 0.175 * shape.diameter());
-    const Scale_range t = completed(tau, frame_duration, (std::max)(duration / 3, frame_duration));
+    const double longest = duration / (is_periodic(temporal) ? 4 : 3);
+    const Scale_range t = completed(tau, frame_duration, (std::max)(longest, frame_duration));
     check_largest(s, "sigma", shape.diameter(), "diameter of the rest shape");
     check_largest(t, "tau", duration, "duration of the animation");
     if (!(unit_length >= 0) || !(unit_time > 0))

@@ -49,7 +49,8 @@ public:
   // Those that are strong enough, whatever their fit; all of them have theirs. In no order that matters.
   template <class FT, class Loop>
   std::vector<Feature> above(const Feature_selection& selection, const Rest_shape& shape,
-                             const Spatio_temporal_field<FT>& field, double frame_duration, const Loop& loop)
+                             const Spatio_temporal_field<FT>& field, double frame_duration, bool is_cyclic,
+                             const Loop& loop)
   {
     constexpr std::size_t at_once = 256;
     double strongest = 0;
@@ -60,7 +61,7 @@ public:
     while (end < m_minima.size() && m_minima[end].amplitude >= least()) {
       const std::size_t first = end;
       end = (std::min)(m_minima.size(), end + at_once);
-      measure(end, shape, field, frame_duration, loop);
+      measure(end, shape, field, frame_duration, is_cyclic, loop);
       for (std::size_t i = first; i < end; ++i) strongest = (std::max)(strongest, m_minima[i].strength);
     }
     std::vector<Feature> result(m_minima.begin(), m_minima.begin() + std::ptrdiff_t(end));
@@ -73,7 +74,7 @@ private:
   // The fits of the first `end` minima.
   template <class FT, class Loop>
   void measure(std::size_t end, const Rest_shape& shape, const Spatio_temporal_field<FT>& field, double frame_duration,
-               const Loop& loop)
+               bool is_cyclic, const Loop& loop)
   {
     if (end <= m_measured) return;
     const std::vector<double> areas = vertex_areas(shape);
@@ -81,8 +82,8 @@ private:
     const std::size_t first = m_measured, count = end - first;
     Thread_local<Feature_fit_measure<FT>> measures;
     loop((count + minima_per_task - 1) / minima_per_task, [&](std::size_t task) {
-      auto& fit =
-          measures.get([&] { return std::make_unique<Feature_fit_measure<FT>>(shape, areas, field, frame_duration); });
+      auto& fit = measures.get(
+          [&] { return std::make_unique<Feature_fit_measure<FT>>(shape, areas, field, frame_duration, is_cyclic); });
       for (std::size_t i = first + task * minima_per_task; i < (std::min)(end, first + (task + 1) * minima_per_task); ++i) {
         Feature& f = m_minima[i];
         f.fit = fit(f).fit;

@@ -9,11 +9,11 @@
 
 #include <CGAL/Animated_mesh_features/Animation/Bounded_dijkstra.h>
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/Detection/internal/Time_difference.h>
 #include <CGAL/Animated_mesh_features/Detection/internal/suppress_non_maxima.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <unordered_map>
 #include <vector>
@@ -24,9 +24,9 @@ namespace internal {
 
 // Whether `inner` lies in the simultaneous event of another scale `outer`, `distance` away on the surface.
 template <class Feature>
-bool lies_in(const Feature& inner, const Feature& outer, double distance)
+bool lies_in(const Feature& inner, const Feature& outer, double distance, const Time_difference& between)
 {
-  return distance <= outer.radius() && std::abs(inner.time - outer.time) <= outer.tau &&
+  return distance <= outer.radius() && between(inner.time, outer.time) <= outer.tau &&
          !(are_alike(inner.sigma, outer.sigma) && are_alike(inner.tau, outer.tau));
 }
 
@@ -39,9 +39,10 @@ bool is_same_place(const Feature& feature, const Feature& first, double distance
 }
 
 // Numbers the places of features, which are sorted by strength, strongest first, and tells for each the strongest in which
-// it lies. Distances are along edges. A ball of the surface for each feature.
+// it lies. Distances are along edges, those in time `between` two. A ball of the surface for each feature.
 template <class Feature>
-void mark_places(const Rest_shape& shape, std::vector<Feature>& features)
+void mark_places(const Rest_shape& shape, std::vector<Feature>& features,
+                 const Time_difference& between = Time_difference())
 {
   std::unordered_map<std::size_t, std::vector<std::size_t>> at_vertex;
   for (std::size_t i = 0; i < features.size(); ++i) {
@@ -63,7 +64,8 @@ void mark_places(const Rest_shape& shape, std::vector<Feature>& features)
       for (std::size_t j : here->second) {
         if (j <= i) continue;
         if (is_first && place[j] == unknown && is_same_place(features[j], f, dijkstra.distance(v))) place[j] = place[i];
-        if (features[j].parent == Feature::none && lies_in(features[j], f, dijkstra.distance(v))) features[j].parent = i;
+        if (features[j].parent == Feature::none && lies_in(features[j], f, dijkstra.distance(v), between))
+          features[j].parent = i;
       }
     }
   }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Detection/Feature_selection.h>
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
+#include <CGAL/Animated_mesh_features/Detection/internal/Time_difference.h>
 #include <CGAL/Animated_mesh_features/Detection/internal/mark_places.h>
 #include <CGAL/Animated_mesh_features/Detection/internal/suppress_non_maxima.h>
 
@@ -34,8 +35,9 @@ Feature_selection selection_of(const Options&, long)
 
 // Of minima that are strong enough those that become features, strongest first.
 template <class Feature>
-std::vector<Feature>
-selected_features(const Rest_shape& shape, std::vector<Feature> minima, const Feature_selection& selection)
+std::vector<Feature> selected_features(const Rest_shape& shape, std::vector<Feature> minima,
+                                       const Feature_selection& selection,
+                                       const Time_difference& between = Time_difference())
 {
   const auto is_left_out = [&](const Feature& f) {
     return (selection.min_fit > 0 && !(f.fit >= selection.min_fit)) ||
@@ -46,9 +48,9 @@ selected_features(const Rest_shape& shape, std::vector<Feature> minima, const Fe
     return std::tie(b.strength, a.vertex_index, a.time, a.sigma, a.tau) <
            std::tie(a.strength, b.vertex_index, b.time, b.sigma, b.tau);
   });
-  if (selection.suppress_non_maxima) minima = suppress_non_maxima(shape, minima);
+  if (selection.suppress_non_maxima) minima = suppress_non_maxima(shape, minima, between);
   if (minima.size() > selection.most_features) minima.resize(selection.most_features);
-  mark_places(shape, minima);
+  mark_places(shape, minima, between);
   return minima;
 }
 

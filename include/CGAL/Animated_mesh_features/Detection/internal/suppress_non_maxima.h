@@ -9,6 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Animation/Bounded_dijkstra.h>
+#include <CGAL/Animated_mesh_features/Detection/internal/Time_difference.h>
 
 #include <algorithm>
 #include <array>
@@ -40,15 +41,17 @@ class Features_at_vertices
   typedef std::pair<double, double> Key;
 
 public:
-  Features_at_vertices(std::size_t number_of_vertices, const std::vector<Feature>& features)
+  Features_at_vertices(std::size_t number_of_vertices, const std::vector<Feature>& features,
+                       const Time_difference& between)
     : m_at_vertex(number_of_vertices)
+    , m_period(between.period())
   {
     for (std::size_t i = 0; i < features.size(); ++i)
       m_at_vertex[features[i].vertex_index].emplace_back(Key(tau_class(features[i]), features[i].time), i);
     for (auto& row : m_at_vertex) std::sort(row.begin(), row.end());
   }
 
-  // visit(j) for all features at `v` that may be like `f` in tau, and within its time.
+  // visit(j) for all features at `v` that may be like `f` in tau, and within its time; in a cyclic animation twice, perhaps.
   template <class Visit>
   void for_each_like(const Feature& f, std::size_t v, const Visit& visit) const
   {
@@ -56,8 +59,14 @@ public:
     const double reach = class_width * f.tau; // tau of what is alike is less than that
     for (int step : {-1, 0, 1}) {
       const double c = tau_class(f) + step;
-      auto i = std::lower_bound(row.begin(), row.end(), std::make_pair(Key(c, f.time - reach), std::size_t(0)));
-      for (; i != row.end() && i->first.first == c && i->first.second <= f.time + reach; ++i) visit(i->second);
+      const auto visit_around = [&](double time) {
+        auto i = std::lower_bound(row.begin(), row.end(), std::make_pair(Key(c, time - reach), std::size_t(0)));
+        for (; i != row.end() && i->first.first == c && i->first.second <= time + reach; ++i) visit(i->second);
+      };
+      visit_around(f.time);
+      if (!(m_period > 0)) continue;
+      visit_around(f.time - m_period);
+      visit_around(f.time + m_period);
     }
   }
 
@@ -67,14 +76,17 @@ private:
   static double tau_class(const Feature& f) { return std::floor(std::log(f.tau) / std::log(class_width)); }
 
   std::vector<std::vector<std::pair<Key, std::size_t>>> m_at_vertex;
+  double m_period; // 0: not cyclic
 };
 
 // Of features sorted by strength, strongest first, drops those of which a stronger one that is kept is within
-// max(sigma) on the surface and max(tau) in time, at like scales. Distances on the surface are along edges.
+// max(sigma) on the surface and max(tau) in time, at like scales. Distances on the surface are along edges, those in time
+// `between` two.
 template <class Feature>
-std::vector<Feature> suppress_non_maxima(const Rest_shape& shape, const std::vector<Feature>& features)
+std::vector<Feature> suppress_non_maxima(const Rest_shape& shape, const std::vector<Feature>& features,
+                                         const Time_difference& between = Time_difference())
 {
-  const Features_at_vertices<Feature> at_vertices(shape.number_of_vertices(), features);
+  const Features_at_vertices<Feature> at_vertices(shape.number_of_vertices(), features, between);
   std::vector<char> dropped(features.size(), 0);
   std::vector<Feature> kept;
   Bounded_dijkstra dijkstra(shape);
@@ -87,7 +99,7 @@ std::vector<Feature> suppress_non_maxima(const Rest_shape& shape, const std::vec
       at_vertices.for_each_like(strong, v, [&](std::size_t j) {
         const Feature& weak = features[j];
         if (j > i && dijkstra.distance(v) <= (std::max)(strong.sigma, weak.sigma) &&
-            std::abs(strong.time - weak.time) <= (std::max)(strong.tau, weak.tau) &&
+            between(strong.time, weak.time) <= (std::max)(strong.tau, weak.tau) &&
             are_alike(strong.sigma, weak.sigma) && are_alike(strong.tau, weak.tau))
           dropped[j] = 1;
       });

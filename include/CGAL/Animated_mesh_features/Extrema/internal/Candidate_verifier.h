@@ -15,6 +15,7 @@
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_weights.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/join_equal_extrema.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Temporal_weights.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Time_axis.h>
 
 #include <cmath>
 #include <cstddef>
@@ -35,13 +36,12 @@ class Candidate_verifier
   typedef typename Temporal_weights<TemporalFilter>::Rows Rows;
 
 public:
-  Candidate_verifier(const Rest_shape& shape,
-                     const Level_batch& batch,
-                     const Level_weights& weights,
-                     const Search& search)
+  Candidate_verifier(const Rest_shape& shape, const Level_batch& batch, const Level_weights& weights,
+                     const Time_axis& time, const Search& search)
     : m_shape(shape)
     , m_batch(batch)
     , m_weights(weights)
+    , m_time(time)
     , m_search(search)
   {
   }
@@ -53,6 +53,8 @@ public:
     const auto response = [&](std::size_t v, std::size_t k, std::size_t l, std::size_t f) {
       return this->response(v, k, l, f, rows);
     };
+    const std::size_t before = m_time.before(c.frame), after = m_time.after(c.frame),
+                      frames[3] = {before, c.frame, after};
     const double centre = response(c.vertex, c.k, c.l, c.frame);
     if (!(std::abs(centre) > m_weights.floor(c.k, c.l))) return false;
     // Neighbours first: a candidate has passed the test at its vertex already, though with less precision.
@@ -62,15 +64,14 @@ public:
       // Of equal neighbours one counts as lower: on a ring that is exactly symmetric there would be no extremum at all.
       if (same == centre && joins_equal(m_search))
         same = std::nextafter(centre, (precedes(m_shape, c.vertex, w) ? 1 : -1) * std::numeric_limits<double>::infinity());
-      if (!m_search.at_neighbour(centre, response(w, c.k, c.l, c.frame - 1), same,
-                                 response(w, c.k, c.l, c.frame + 1)))
+      if (!m_search.at_neighbour(centre, response(w, c.k, c.l, before), same, response(w, c.k, c.l, after)))
         return false;
       extremum.ring.push_back(same);
     }
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
         for (std::size_t m = 0; m < 3; ++m)
-          extremum.window[i][j][m] = response(c.vertex, c.k + i - 1, c.l + j - 1, c.frame + m - 1);
+          extremum.window[i][j][m] = response(c.vertex, c.k + i - 1, c.l + j - 1, frames[m]);
     const auto& window = extremum.window;
     if (!m_search.at_vertex(
             Response_window<double>(&window[0][1][1], &window[1][1][1], &window[2][1][1], std::ptrdiff_t(3))))
@@ -117,6 +118,7 @@ private:
   const Rest_shape& m_shape;
   const Level_batch& m_batch;
   const Level_weights& m_weights;
+  const Time_axis m_time;
   const Search& m_search;
 };
 

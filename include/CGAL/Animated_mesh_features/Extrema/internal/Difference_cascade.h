@@ -11,6 +11,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_batch.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_cascade.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Time_axis.h>
 
 #include <cstddef>
 #include <vector>
@@ -44,15 +45,16 @@ public:
     typedef Pack<double, most_levels, bytes> Level_pack;
 
   public:
-    Rows(const Difference_cascade& cascade, const Level_batch& batch, std::size_t number_of_frames)
+    Rows(const Difference_cascade& cascade, const Level_batch& batch, const Time_axis& time)
       : m_temporal(cascade.m_temporal)
       , m_batch(batch)
-      , m_frames(number_of_frames)
+      , m_time(time)
+      , m_frames(time.number_of_frames())
       , m_levels(batch.below + batch.above + 1)
-      , m_row(number_of_frames)
-      , m_next(number_of_frames)
+      , m_row(m_frames + 2 * time.margin())
+      , m_next(m_row.size())
     {
-      for (std::vector<Level_pack>& level : m_levels) level.resize(number_of_frames);
+      for (std::vector<Level_pack>& level : m_levels) level.resize(m_frames);
     }
 
     void start(std::size_t v)
@@ -71,8 +73,9 @@ public:
           space[i] = float(same[i + q + p] - same[i]);
           time[i] = float(late[i + q] - early[i + q]);
         }
-        m_row[f] = {Response_pack::load(space), Response_pack::load(time)};
+        m_row[m_time.margin() + f] = {Response_pack::load(space), Response_pack::load(time)};
       }
+      m_time.join_ends(m_row.data());
       m_level = q;
       measure();
     }
@@ -81,13 +84,15 @@ public:
     void advance(std::size_t l)
     {
       for (; m_level < l; ++m_level) {
-        m_temporal(m_level + 1, m_row.data(), m_next.data());
+        m_temporal(m_level + 1, m_row.data() + m_time.margin(), m_next.data() + m_time.margin());
         m_row.swap(m_next);
+        m_time.join_ends(m_row.data());
       }
       // the differences decay, and their errors with them
       if (l % 32 == 0) measure();
     }
 
+    // in frame f of the row with its margins
     CGAL_ANIMATED_MESH_FEATURES_INLINE Response_pack response(const Response_pack& a, const Response_pack& b,
                                                               std::size_t f) const
     {
@@ -104,7 +109,7 @@ public:
     void measure()
     {
       Response_pack p = Response_pack::all(0), q = p;
-      for (std::size_t f = 0; f < m_frames; ++f) {
+      for (std::size_t f = 0; f < m_row.size(); ++f) {
         p = larger(p, absolute(m_row[f].p));
         q = larger(q, absolute(m_row[f].q));
       }
@@ -113,10 +118,11 @@ public:
 
     const TemporalFilter& m_temporal;
     const Level_batch& m_batch;
+    const Time_axis m_time;
     std::size_t m_frames;
     std::vector<Level_pack> m_loaded;
     std::vector<std::vector<Level_pack>> m_levels; // the first time levels
-    std::vector<Pack_pair<Response_pack>> m_row, m_next;
+    std::vector<Pack_pair<Response_pack>> m_row, m_next; // with their margins
     std::size_t m_level = 0; // of m_row
     Pack_pair<Response_pack> m_bound;
   };

@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/Extrema/internal/load_levels.h>
 #include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_batch.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Time_axis.h>
 
 #include <cstddef>
 #include <limits>
@@ -53,19 +54,20 @@ public:
     typedef Pack<T, pack_size, bytes> Response_pack;
 
   public:
-    Rows(const Level_cascade& cascade, const Level_batch& batch, std::size_t number_of_frames)
+    Rows(const Level_cascade& cascade, const Level_batch& batch, const Time_axis& time)
       : m_temporal(cascade.m_temporal)
       , m_batch(batch)
-      , m_frames(number_of_frames)
+      , m_time(time)
       , m_cascade(batch.below + batch.above + 1)
     {
       // a frame more, since packs are loaded from beyond the last
-      for (std::vector<Response_pack>& row : m_cascade) row.assign(number_of_frames + 1, Response_pack::all(0));
+      for (std::vector<Response_pack>& row : m_cascade)
+        row.assign(time.number_of_frames() + 2 * time.margin() + 1, Response_pack::all(0));
     }
 
     void start(std::size_t v)
     {
-      load_levels(m_batch, v, m_frames, m_loaded);
+      load_levels(m_batch, v, m_time.number_of_frames(), m_loaded);
       m_bound = Response_pack::all(0);
       for (const Response_pack& frame : m_loaded) m_bound = larger(m_bound, absolute(frame));
       m_smoothed = 0;
@@ -74,13 +76,18 @@ public:
     // to the responses of time level l
     void advance(std::size_t l)
     {
-      for (; m_smoothed <= l + m_batch.above; ++m_smoothed)
-        m_temporal(m_smoothed, m_smoothed == 0 ? m_loaded.data() : row(m_smoothed - 1), row(m_smoothed));
+      const std::size_t margin = m_time.margin();
+      for (; m_smoothed <= l + m_batch.above; ++m_smoothed) {
+        m_temporal(m_smoothed, m_smoothed == 0 ? m_loaded.data() : row(m_smoothed - 1) + margin,
+                   row(m_smoothed) + margin);
+        m_time.join_ends(row(m_smoothed));
+      }
       m_now = reinterpret_cast<const T*>(row(l));
       m_late = reinterpret_cast<const T*>(row(l + m_batch.above));
       m_early = reinterpret_cast<const T*>(row(l - m_batch.below));
     }
 
+    // in frame f of the row with its margins
     CGAL_ANIMATED_MESH_FEATURES_INLINE Response_pack response(const Response_pack& a, const Response_pack& b,
                                                               std::size_t f) const
     {
@@ -103,9 +110,9 @@ public:
 
     const TemporalFilter& m_temporal;
     const Level_batch& m_batch;
-    std::size_t m_frames;
+    const Time_axis m_time;
     std::vector<Response_pack> m_loaded;
-    std::vector<std::vector<Response_pack>> m_cascade; // time level l in [l % size]
+    std::vector<std::vector<Response_pack>> m_cascade; // time level l in [l % size], with its margins
     std::size_t m_smoothed = 0; // time levels made so far
     Response_pack m_bound;
     const T *m_now = nullptr, *m_late = nullptr, *m_early = nullptr;

@@ -21,6 +21,7 @@
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_cascade.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_weights.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Temporal_weights.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Time_axis.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Vectorized_candidate_detector.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/join_equal_extrema.h>
 #include <CGAL/Animated_mesh_features/Animation/largest_value.h>
@@ -109,7 +110,7 @@ public:
     const auto run_cascade = [&](const auto& cascade) {
       typedef std::decay_t<decltype(cascade)> Cascade;
       return run_with(Cascade::largest_batch(below, above), [&](const Level_batch& batch) {
-        return Vectorized_candidate_detector<Cascade>(batch, weights, cascade, m_frames, costs, m_instructions);
+        return Vectorized_candidate_detector<Cascade>(batch, weights, cascade, time_axis(), costs, m_instructions);
       });
     };
     if constexpr (Is_vectorized_filter<TemporalFilter>::value && Searches_strict_minima<Search>::value &&
@@ -122,13 +123,15 @@ public:
     } else {
       constexpr std::size_t fitting = 12;
       return run_with(fitting, [&](const Level_batch& batch) {
-        return Exhaustive_candidate_detector<TemporalFilter, Search>(batch, weights, m_frames, m_time_levels,
+        return Exhaustive_candidate_detector<TemporalFilter, Search>(batch, weights, time_axis(), m_time_levels,
                                                                      m_temporal, m_search);
       });
     }
   }
 
 private:
+  Time_axis time_axis() const { return Time_axis(m_frames, m_temporal); }
+
   // What a candidate costs to be verified, by time level: products with all frames that have a weight, of which the
   // first few count as 1.
   std::vector<double> verification_costs() const
@@ -293,7 +296,7 @@ private:
       std::stable_sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
         return (a.l - first) / verified_at_once < (b.l - first) / verified_at_once;
       });
-    const Candidate_verifier<TemporalFilter, Search> is_extremum(m_shape, batch, weights, m_search);
+    const Candidate_verifier<TemporalFilter, Search> is_extremum(m_shape, batch, weights, time_axis(), m_search);
     auto next = candidates.begin();
     for (std::size_t i = 0; i < windows; ++i) {
       const std::size_t begin = first + i * verified_at_once, end = (std::min)(last, begin + verified_at_once);
@@ -323,11 +326,11 @@ private:
   void join(const Level_batch& batch, const Level_weights& weights, const Loop& loop,
             Temporal_weights<TemporalFilter>& temporal_weights, std::vector<Extremum>& extrema) const
   {
-    const Extrema_of_like_scale like(extrema);
+    const Extrema_of_like_scale like(extrema, time_axis());
     std::vector<std::vector<std::size_t>> with_equals(m_time_levels); // by time level
     for (std::size_t i = 0; i < extrema.size(); ++i)
       if (like.has_equal(i)) with_equals[extrema[i].l].push_back(i);
-    const Candidate_verifier<TemporalFilter, Search> verifier(m_shape, batch, weights, m_search);
+    const Candidate_verifier<TemporalFilter, Search> verifier(m_shape, batch, weights, time_axis(), m_search);
     std::vector<std::vector<Rest_shape::Index>> reached(extrema.size());
     for (std::size_t l = 0; l < m_time_levels; ++l) {
       if (with_equals[l].empty()) continue;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
 #include <CGAL/Animated_mesh_features/Numerics/simd/run_vectorized.h>
+#include <CGAL/Animated_mesh_features/Scale_space/is_periodic.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -53,8 +54,9 @@ struct Is_mirror_symmetric<Filter, std::enable_if_t<Filter::is_mirror_symmetric>
 
 // The weights of all frames in a frame of a level of a temporal filter, for a window of levels that moves upwards: row
 // f of the level's matrix T_l. Matrices have F^2 numbers a level; where these would be too many, rows are made of the
-// filter's weights by distance when they are asked for, if it tells them, as all filters do that continue a row by its
-// mirror image and weigh by distance: T_l(f, j) = w_l(f - j) + w_l(f + j + 1), on a circle of 2 F frames.
+// filter's weights by distance when they are asked for, if it tells them, as all filters do that weigh by distance and
+// continue a row by its mirror image, T_l(f, j) = w_l(f - j) + w_l(f + j + 1) on a circle of 2 F frames, or by itself,
+// T_l(f, j) = w_l(f - j) on a circle of F frames.
 template <class TemporalFilter>
 class Temporal_weights
 {
@@ -70,8 +72,8 @@ public:
     , m_bytes(bytes)
   {
     if constexpr (Has_weights_by_distance<TemporalFilter>::value)
-      m_is_by_distance =
-          (number_of_frames > most_frames_of_matrices || m_least_window > matrices_that_fit()) && filter.reflects();
+      m_is_by_distance = (number_of_frames > most_frames_of_matrices || m_least_window > matrices_that_fit()) &&
+                         (filter.reflects() || is_periodic(filter));
   }
 
   // Makes the levels [first, last) available, by `loop`; those before are dropped. Going back starts anew.
@@ -126,18 +128,20 @@ public:
   public:
     explicit Rows(const Temporal_weights& weights) : m_weights(weights) {}
 
-    // Rows of levels [first, last) in frames `frame` - 1 to `frame` + 1 are asked for next.
+    // Rows of levels [first, last) in frame `frame`, the one before and the one after it are asked for next; of a periodic
+    // filter, the last frame is before the first.
     void seek(std::size_t first, std::size_t last, std::size_t frame)
     {
       const std::size_t n = m_weights.m_frames;
       m_end = n;
       if (!m_weights.m_is_by_distance) return;
       const std::size_t reach = m_weights.reach(first, last);
-      m_begin = frame > reach ? frame - reach : 0;
-      m_end = (std::min)(n, frame + reach + 1);
-      m_first = first;
-      m_first_frame = frame - 1;
       m_is_inside = frame >= reach && frame + reach < n;
+      const bool goes_round = !m_is_inside && is_periodic(m_weights.m_filter);
+      m_begin = frame > reach && !goes_round ? frame - reach : 0;
+      m_end = goes_round ? n : (std::min)(n, frame + reach + 1);
+      m_first = first;
+      m_frame = frame;
       if (m_is_inside) return;
       m_is_known.assign(3 * (last - first), 0);
       m_rows.resize(3 * (last - first) * (m_end - m_begin));
@@ -152,7 +156,8 @@ public:
     {
       if (!m_weights.m_is_by_distance) return m_weights.matrix_row(l, f);
       if (m_is_inside) return m_weights.own_weight(l) - (f - m_begin);
-      const std::size_t i = 3 * (l - m_first) + (f - m_first_frame);
+      const std::size_t nth = f == m_frame ? 1 : f + 1 == m_frame || (m_frame == 0 && f != 1) ? 0 : 2;
+      const std::size_t i = 3 * (l - m_first) + nth;
       double* const row = m_rows.data() + i * (m_end - m_begin);
       if (!m_is_known[i]) make_row(l, f, row);
       m_is_known[i] = 1;
@@ -164,6 +169,13 @@ public:
     {
       const std::vector<double>& weights = m_weights.by_distance(l);
       const std::size_t n = m_weights.m_frames, size = weights.size();
+      if (is_periodic(m_weights.m_filter)) {
+        for (std::size_t j = 0; j < n; ++j) {
+          const std::size_t distance = j < f ? f - j : j - f, around = (std::min)(distance, n - distance);
+          row[j] = around < size ? weights[around] : 0;
+        }
+        return;
+      }
       const double* const own = m_weights.own_weight(l);
       std::copy(own - (f - m_begin), own + (m_end - f), row); // own[i] == own[-i]
       // the mirror images before the first frame and after the last one
@@ -184,8 +196,8 @@ public:
     }
 
     const Temporal_weights& m_weights;
-    std::size_t m_begin = 0, m_end = 0, m_first = 0, m_first_frame = 0;
-    bool m_is_inside = false; // no mirror image has a weight: rows are parts of the weights of a level, as they are
+    std::size_t m_begin = 0, m_end = 0, m_first = 0, m_frame = 0;
+    bool m_is_inside = false; // no image has a weight: rows are parts of the weights of a level, as they are
     std::vector<char> m_is_known;
     std::vector<double> m_rows; // [level][frame][j - begin]
   };

@@ -11,6 +11,7 @@
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_batch.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_weights.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Packed_responses.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Time_axis.h>
 #include <CGAL/Animated_mesh_features/Numerics/simd/run_vectorized.h>
 
 #include <algorithm>
@@ -58,12 +59,11 @@ class Vectorized_candidate_detector
 public:
   // costs: of verifying a candidate, by time level; 1 for short rows
   Vectorized_candidate_detector(const Level_batch& batch, const Level_weights& weights, const Cascade& cascade,
-                                std::size_t number_of_frames, const std::vector<double>& costs,
-                                Instruction_set instructions)
+                                const Time_axis& time, const std::vector<double>& costs, Instruction_set instructions)
     : m_batch(batch)
     , m_weights(weights, batch, costs.size(), Cascade::pack_size)
     , m_cascade(cascade)
-    , m_frames(number_of_frames)
+    , m_time(time)
     , m_costs(costs)
     , m_instructions(instructions)
   {
@@ -71,7 +71,7 @@ public:
       const std::size_t largest = Precise_cascade::largest_batch(batch.below, batch.above);
       for (std::size_t first = batch.first; first < batch.last; first += largest)
         m_precise.push_back(std::make_shared<const Precise_part>(batch, first, (std::min)(batch.last, first + largest),
-                                                                 weights, cascade.precise(), number_of_frames, costs,
+                                                                 weights, cascade.precise(), time, costs,
                                                                  instructions));
     }
   }
@@ -97,7 +97,7 @@ private:
   double largest_cost() const
   {
     constexpr double packs_per_candidate = 24;
-    return double(m_precise.size() * m_costs.size() * m_frames) / packs_per_candidate + 1;
+    return double(m_precise.size() * m_costs.size() * m_time.number_of_frames()) / packs_per_candidate + 1;
   }
 
   template <std::size_t bytes>
@@ -105,8 +105,9 @@ private:
               std::vector<std::size_t>& unclear) const
   {
     typedef Pack<T, Cascade::pack_size, bytes> Response_pack;
-    typename Cascade::template Rows<bytes> rows(m_cascade, m_batch, m_frames);
-    Packed_responses<Response_pack> responses(m_frames);
+    typename Cascade::template Rows<bytes> rows(m_cascade, m_batch, m_time);
+    const std::size_t margin = m_time.margin();
+    Packed_responses<Response_pack> responses(m_time.number_of_frames() + 2 * margin);
     const std::size_t last_entry = m_batch.last - m_batch.first + 1;
     const std::size_t first = m_batch.below, last = m_costs.size() - m_batch.above;
     const double largest = largest_cost();
@@ -130,8 +131,8 @@ private:
         if (!responses.can_search()) continue;
         const std::size_t searched = responses.searched_level(), before = candidates.size();
         responses.search(last_entry, [&](std::size_t f, std::size_t entry) {
-          candidates.push_back(
-              {std::uint32_t(v), std::uint32_t(f), std::uint32_t(m_batch.first - 1 + entry), std::uint32_t(searched)});
+          candidates.push_back({std::uint32_t(v), std::uint32_t(f - margin), std::uint32_t(m_batch.first - 1 + entry),
+                                std::uint32_t(searched)});
         });
         cost += m_costs[searched] * double(candidates.size() - before);
         if (!is_precise && cost > largest) {
@@ -146,7 +147,7 @@ private:
   const Level_batch& m_batch;
   Packed_weights<T> m_weights;
   const Cascade m_cascade;
-  std::size_t m_frames;
+  const Time_axis m_time;
   const std::vector<double>& m_costs; // [time level]
   Instruction_set m_instructions;
   std::vector<std::shared_ptr<const Precise_part>> m_precise;

@@ -9,6 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Extremum.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Time_axis.h>
 
 #include <algorithm>
 #include <cmath>
@@ -61,8 +62,9 @@ inline bool precedes(const Rest_shape& shape, std::size_t v, std::size_t w)
 class Extrema_of_like_scale
 {
 public:
-  explicit Extrema_of_like_scale(const std::vector<Extremum>& extrema)
+  Extrema_of_like_scale(const std::vector<Extremum>& extrema, const Time_axis& time)
     : m_extrema(extrema)
+    , m_time(time)
     , m_order(extrema.size())
   {
     std::iota(m_order.begin(), m_order.end(), std::size_t(0));
@@ -74,13 +76,12 @@ public:
   void for_each(std::size_t i, const Visit& visit) const
   {
     const Extremum& e = m_extrema[i];
+    const std::size_t before = m_time.before(e.frame), after = m_time.after(e.frame);
     for (std::size_t l = e.l - 1; l <= e.l + 1; ++l) {
-      auto it = std::lower_bound(m_order.begin(), m_order.end(), Key(e.k, l, e.frame - 1, 0),
-                                 [&](std::size_t j, const Key& k) { return key(j) < k; });
-      for (; it != m_order.end() && m_extrema[*it].k == e.k && m_extrema[*it].l == l &&
-             m_extrema[*it].frame <= e.frame + 1;
-           ++it)
-        visit(*it);
+      const std::size_t last = (std::max)(after, e.frame);
+      visit_frames(e.k, l, (std::min)(before, e.frame), last, visit);
+      if (before > e.frame) visit_frames(e.k, l, before, before, visit); // beyond the end that is joined
+      if (after < e.frame) visit_frames(e.k, l, after, after, visit);
     }
   }
 
@@ -99,7 +100,18 @@ private:
   typedef std::tuple<std::size_t, std::size_t, std::size_t, std::size_t> Key; // space level, time level, frame, index
   Key key(std::size_t i) const { return Key(m_extrema[i].k, m_extrema[i].l, m_extrema[i].frame, i); }
 
+  // visit(j) for each extremum of these levels in frames [first, last].
+  template <class Visit>
+  void visit_frames(std::size_t k, std::size_t l, std::size_t first, std::size_t last, const Visit& visit) const
+  {
+    auto it = std::lower_bound(m_order.begin(), m_order.end(), Key(k, l, first, 0),
+                               [&](std::size_t j, const Key& other) { return key(j) < other; });
+    for (; it != m_order.end() && m_extrema[*it].k == k && m_extrema[*it].l == l && m_extrema[*it].frame <= last; ++it)
+      visit(*it);
+  }
+
   const std::vector<Extremum>& m_extrema;
+  const Time_axis m_time;
   std::vector<std::size_t> m_order;
 };
 

@@ -52,6 +52,7 @@ private:
     if (f < 0 || f >= n) {
       if (ends == Boundary_condition::TRUNCATE) return m_frames;
       if (ends == Boundary_condition::REPLICATE) return f < 0 ? 0 : m_frames - 1;
+      if (ends == Boundary_condition::PERIODIC) return std::size_t((f % n + n) % n);
     }
     while (f < 0 || f >= n) f = f < 0 ? -1 - f : 2 * n - 1 - f; // more than once where the box is wider than the row
     return std::size_t(f);

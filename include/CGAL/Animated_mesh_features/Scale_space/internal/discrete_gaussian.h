@@ -44,15 +44,15 @@ inline std::vector<double> discrete_gaussian(double u)
   return weights;
 }
 
-// The same on a circle of 2 n integers: weights that reach further around meet.
-inline std::vector<double> on_circle(const std::vector<double>& weights, std::size_t n)
+// The same on a circle of that many integers: weights that reach further around meet.
+inline std::vector<double> on_circle(const std::vector<double>& weights, std::size_t circle)
 {
-  if (weights.size() <= n) return weights;
-  std::vector<double> result(n + 1, 0);
+  if (weights.size() <= (circle + 1) / 2) return weights;
+  std::vector<double> result(circle / 2 + 1, 0);
   for (std::size_t m = weights.size(); m-- > 0;) {
-    const std::size_t around = m % (2 * n), i = (std::min)(around, 2 * n - around);
-    // a weight stands for both sides, which meet at the start and opposite of it
-    result[i] += (i == 0 || i == n) && m > 0 ? 2 * weights[m] : weights[m];
+    const std::size_t around = m % circle, i = (std::min)(around, circle - around);
+    // a weight stands for both sides, which meet at the start and, if there is such an integer, opposite of it
+    result[i] += (i == 0 || 2 * i == circle) && m > 0 ? 2 * weights[m] : weights[m];
   }
   return result;
 }
