@@ -82,7 +82,7 @@ struct Reading_options
   Denoise denoise = Denoise::AUTO;
 
   std::string part; // of the surface, by name or by the number of a component, from 1; empty: all
-  bool is_cyclic = false;       // leave out a last frame that repeats the first; no option of the reading
+  bool is_cyclic = false; // leave out a last frame that repeats the first; no option of the reading
 
   // of files with clips
   std::string clip; // by name or number; empty: the first
