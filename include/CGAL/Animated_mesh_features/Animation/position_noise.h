@@ -55,10 +55,11 @@ double position_noise(const Edges& edges, std::size_t number_of_frames, const Po
   const std::size_t most_edges = 30000;
   const std::size_t step = edges.size() / most_edges + 1;
   if (number_of_frames < 3) return 0;
+  const std::vector<std::size_t> frames = internal::spread_frames(number_of_frames);
   std::vector<double> lengths;
-  for (const std::size_t at : internal::spread_frames(number_of_frames)) {
-    const std::size_t f = (std::min)((std::max)(at, std::size_t(1)), number_of_frames - 2);
-    for (std::size_t i = 0; i < edges.size(); i += step) {
+  for (std::size_t i = 0; i < edges.size(); i += step) // the frames of a vertex are beside each other
+    for (const std::size_t at : frames) {
+      const std::size_t f = (std::min)((std::max)(at, std::size_t(1)), number_of_frames - 2);
       std::array<double, 3> second = {{0, 0, 0}};
       for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
         const auto before = position(edges[i][end], f - 1), now = position(edges[i][end], f),
@@ -68,7 +69,6 @@ double position_noise(const Edges& edges, std::size_t number_of_frames, const Po
       const double length = std::hypot(second[0], second[1], second[2]);
       if (std::isfinite(length)) lengths.push_back(length);
     }
-  }
   return internal::upper_median(lengths) / (1.538 * std::sqrt(12.));
 }
 
