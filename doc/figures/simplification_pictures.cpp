@@ -10,7 +10,6 @@
 // simplification_pictures PICTURE.png                                       the running figure
 // simplification_pictures PICTURE.png MESH.obj CACHE.pc2 REST.obj UP_AXIS AZIMUTH
 
-// First, since what CGAL's simplification includes of boost::detail hides get() from boost::disjoint_sets with Clang.
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
 #include <CGAL/Animated_mesh_features/IO/read_mesh.h>
 #include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>

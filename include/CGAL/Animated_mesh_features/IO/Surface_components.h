@@ -8,8 +8,7 @@
 #define CGAL_ANIMATED_MESH_FEATURES_IO_SURFACE_COMPONENTS_H
 
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
-
-#include <boost/pending/disjoint_sets.hpp>
+#include <CGAL/Animated_mesh_features/Numerics/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>
@@ -38,7 +37,7 @@ struct Surface_components
     const std::size_t n = mesh.points.size();
     std::vector<std::size_t> rank(n, 0), parent(n), size(n, 0), component(n, 0);
     std::iota(parent.begin(), parent.end(), std::size_t(0));
-    boost::disjoint_sets<std::size_t*, std::size_t*> sets(rank.data(), parent.data());
+    auto sets = Animated_mesh_features::internal::disjoint_sets(rank.data(), parent.data());
     std::vector<char> is_used(n, 0);
     for (const std::array<std::size_t, 3>& t : mesh.triangles) {
       sets.union_set(t[0], t[1]);

@@ -8,8 +8,7 @@
 #define CGAL_ANIMATED_MESH_FEATURES_IO_WELD_SURFACE_H
 
 #include <CGAL/Animated_mesh_features/IO/internal/Edge_groups.h>
-
-#include <boost/pending/disjoint_sets.hpp>
+#include <CGAL/Animated_mesh_features/Numerics/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>
@@ -120,7 +119,7 @@ private:
   {
     m_rank.assign(corners(), 0);
     m_parent.resize(corners());
-    Fans fans(m_rank.data(), m_parent.data());
+    auto fans = Animated_mesh_features::internal::disjoint_sets(m_rank.data(), m_parent.data());
     for (std::size_t c = 0; c < corners(); ++c) fans.make_set(c);
     m_result.welded_edges = m_result.open_edges = 0;
     const auto join = [&](std::size_t c, std::size_t d) {
@@ -219,8 +218,6 @@ private:
       if (n < 2) ++n;
     }
   }
-
-  typedef boost::disjoint_sets<std::size_t*, std::size_t*> Fans;
 
   const std::vector<std::size_t>& m_place; // of each vertex of the file
   std::vector<char> m_is_apart;            // places where nothing is welded

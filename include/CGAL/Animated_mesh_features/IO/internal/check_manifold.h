@@ -9,8 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/IO/Indexed_mesh.h>
-
-#include <boost/pending/disjoint_sets.hpp>
+#include <CGAL/Animated_mesh_features/Numerics/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>
@@ -77,7 +76,7 @@ inline void check_manifold(const Indexed_mesh& mesh, const std::string& name)
   // The sets: corners of triangles that are joined by edges at their vertex.
   const std::size_t corners = 3 * mesh.triangles.size();
   std::vector<std::size_t> rank(corners, 0), parent(corners);
-  boost::disjoint_sets<std::size_t*, std::size_t*> fans(rank.data(), parent.data());
+  auto fans = Animated_mesh_features::internal::disjoint_sets(rank.data(), parent.data());
   for (std::size_t i = 0; i < corners; ++i) fans.make_set(i);
   const auto at_source = [](const Directed_edge& e) { return 3 * e.triangle + std::size_t(e.corner); };
   const auto at_target = [](const Directed_edge& e) { return 3 * e.triangle + std::size_t((e.corner + 1) % 3); };
