@@ -80,10 +80,14 @@ void test_noise_is_measured()
   const double edge = s.sequence(s.sphere.frames).rest_shape().mean_edge_length();
   CHECK(measured(0) < 0.01 * edge);
   for (const double share : {0.05, 0.2, 1.}) CHECK_NEAR(measured(share * edge) / (share * edge), 1., 0.03);
-  const Frames two(s.sphere.frames.begin(), s.sphere.frames.begin() + 2);
-  CHECK(Amf::position_noise(std::vector<std::array<std::size_t, 2>>{{{0, 1}}}, 2, [&](std::size_t v, std::size_t f) {
-          return Eigen::Vector3d(two[f][v].x(), two[f][v].y(), two[f][v].z());
-        }) == 0);
+  const auto of_few = [&](std::size_t edges, std::size_t frames) {
+    const Frames noisy = with_noise(s.sphere.frames, edge);
+    return Amf::position_noise(std::vector<std::array<std::size_t, 2>>(edges, {{0, 1}}), frames,
+                               [&](std::size_t v, std::size_t f) {
+                                 return Eigen::Vector3d(noisy[f][v].x(), noisy[f][v].y(), noisy[f][v].z());
+                               });
+  };
+  CHECK(of_few(12, 3) > 0 && of_few(11, 3) == 0 && of_few(12, 2) == 0);
 }
 
 // What moves as an affine image of the reference shape stays where it is, wherever that is.

@@ -37,7 +37,7 @@ inline std::vector<std::size_t> spread_frames(std::size_t number_of_frames)
 \ingroup PkgAnimatedMeshFeaturesAnimation
 
 the standard deviation, in each coordinate, of noise of the positions that is independent in vertices and frames (length);
-0 of less than three frames.
+0 of less than three frames, and of less than 12 edges, by which motion and noise cannot be told apart.
 
 It is told from what neighbours do not do alike: the second difference in time of an edge's vector has in each coordinate
 `2 (1 + 4 + 1)` times the variance of the noise, and the median length of a normal vector in space is 1.538 times the
@@ -52,9 +52,9 @@ Positions that are held in more than half of the frames, as keys without interpo
 template <class Edges, class Position>
 double position_noise(const Edges& edges, std::size_t number_of_frames, const Position& position)
 {
-  const std::size_t most_edges = 30000;
+  const std::size_t most_edges = 30000, least_edges = 12;
   const std::size_t step = edges.size() / most_edges + 1;
-  if (number_of_frames < 3) return 0;
+  if (number_of_frames < 3 || edges.size() < least_edges) return 0;
   const std::vector<std::size_t> frames = internal::spread_frames(number_of_frames);
   std::vector<double> lengths;
   for (std::size_t i = 0; i < edges.size(); i += step) // the frames of a vertex are beside each other
