@@ -107,7 +107,7 @@ namespace {
 
 void add_options(Option_groups& groups, Settings& s)
 {
-  Programs::add_reading_options(groups.add_group("Input"), s.reading);
+  Programs::add_reading_options(groups.add_group("Input"), s.reading, "all, in a collection: each of them");
   Detect_features::add_selection_options(groups.add_group("Detection"), s.method);
   add_comparison_options(groups.add_group("Comparison"), s);
   Option_group& check = groups.add_group("Check of two takes");

@@ -37,7 +37,10 @@ const char* const exit_codes =
 // The options of all parts of the program, as the help text has them.
 void add_options(Option_groups& groups, Command_line& c)
 {
-  add_reading_options(groups.add_group("Input"), c.reading);
+  add_reading_options(groups.add_group("Input"), c.reading,
+                      "all: each of them by itself, with a table at the end; outputs are then folders, in which files are "
+                      "called as clips, or have {clip} where the clip's name is to be: -o results/ --html "
+                      "'results/{clip}.html'");
   add_method_options(groups.add_group("Method"), c.method);
   add_selection_options(groups.add_group("Selection"), c.method);
   Option_group& output = groups.add_group("Output");

@@ -74,14 +74,12 @@ void set_frames(const Argument& argument, Reading_options& o)
   o.frame_range = range;
 }
 
-void add_clip_options(Option_group& group, Reading_options& o)
+void add_clip_options(Option_group& group, Reading_options& o, const std::string& all_clips)
 {
   group.add("clip", "NAME",
             "the clip of an animated model, or the sequence of an HDF5 file, by name, or by number from 0; several "
-            "clips that "
-            "play together as A+B (default: the first; --verbose lists them); all: each of them by itself, with a table at "
-            "the end; outputs are then folders, in which files are called as clips, or have {clip} where the clip's name is "
-            "to be: -o results/ --html 'results/{clip}.html'",
+            "clips that play together as A+B (default: the first; --verbose lists them)" +
+                (all_clips.empty() ? std::string() : "; " + all_clips),
             [&](const Argument& a) { o.clip = a.text(); });
   group.add_repeatable(
       "frames", "N|A:B",
@@ -113,7 +111,7 @@ Names<Denoise> names(Denoise)
   return {{"auto", Denoise::AUTO}, {"always", Denoise::ALWAYS}, {"never", Denoise::NEVER}};
 }
 
-void add_reading_options(Option_group& group, Reading_options& o)
+void add_reading_options(Option_group& group, Reading_options& o, const std::string& all_clips)
 {
   group.add(
       "fps", "R",
@@ -125,7 +123,7 @@ void add_reading_options(Option_group& group, Reading_options& o)
           throw Option_error("--fps " + a.text() +
                              ": no animation has that many frames in a second; from 1e-6 to 1e6 are taken");
       });
-  add_clip_options(group, o);
+  add_clip_options(group, o, all_clips);
   group.add("part", "NAME|N",
             "take a part of the surface only: of a model a node, with all that hangs below it, or a mesh, by its name, or "
             "NAME/P for its primitive P; of an OBJ file an object or a group; of whatever input the N-th connected "

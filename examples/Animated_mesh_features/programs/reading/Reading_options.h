@@ -97,8 +97,8 @@ struct Reading_options
   std::vector<std::string> paths() const;
 };
 
-// Adds the options; the inputs themselves are no options.
-void add_reading_options(Option_group& group, Reading_options& options);
+// Adds the options; the inputs themselves are no options. `all_clips`: what a program says of --clip all, if it takes it.
+void add_reading_options(Option_group& group, Reading_options& options, const std::string& all_clips = "");
 
 // From a frame in eleven days to a million in a second: beyond, squares of times leave the range of numbers.
 bool is_usable_rate(double frames_per_second);
