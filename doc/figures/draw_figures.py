@@ -366,8 +366,8 @@ def scales_of_features(folder):
     result = folder.json("figure.json")
     sigma, tau = result["parameters"]["sigma_levels"][2:-2], result["parameters"]["tau_levels"][2:-2]
     d = Drawing(760, 360, "Scales of the features of the running figure")
-    p = Plot(d, 70, 30, 440, 270, Axis(0.02, 0.4, [0.03, 0.06, 0.12, 0.25], True),
-             Axis(0.026, 0.32, [0.03, 0.05, 0.1, 0.2, 0.3], True), "σ (the figure is 2 high)", "τ (s)")
+    p = Plot(d, 70, 30, 440, 270, Axis(sigma[0] / 1.2, sigma[-1] * 1.2, [0.02, 0.05, 0.1, 0.2, 0.4], True),
+             Axis(tau[0] / 1.2, tau[-1] * 1.2, [0.05, 0.1, 0.2, 0.4], True), "σ (the figure is 2 high)", "τ (s)")
     corners = [(sigma[0], tau[0]), (sigma[-1], tau[0]), (sigma[-1], tau[-1]), (sigma[0], tau[-1]), (sigma[0], tau[0])]
     d.line([p.at(x, y) for x, y in corners], GREY, 1.5, stroke_dasharray="6 4")
     for f in result["features"]:
