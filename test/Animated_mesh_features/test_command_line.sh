@@ -30,7 +30,7 @@ check() {
 }
 
 cat >tool.py <<'PYTHON'
-import json, os, pty, re, signal, struct, subprocess, sys, time
+import json, math, os, pty, random, re, signal, struct, subprocess, sys, time
 from statistics import median
 
 
@@ -102,7 +102,7 @@ def again(name):
                for k in ("fps", "rest", "preset", "strain", "alpha", "curvature", "balls", "ball_radius",
                          "spatial_filter", "temporal_filter", "box_width", "space_counts", "time_counts", "sigma_range",
                          "tau_range", "threshold", "relative_threshold",
-                         "min_fit", "baseline", "dimension") if q[k] is not None]
+                         "min_fit", "baseline", "dimension", "denoise") if q[k] is not None]
     options += ["--cyclic"] * q["cyclic"]
     options += ["--triangulate"] * q["triangulate"] + ["--as-given"] * q["as_given"] + ["--rescale-rest"] * q["rescale_rest"]
     options += ["--no-suppression"] * (not q["suppression"])
@@ -230,6 +230,20 @@ elif command == "cut":  # base, number of frames, output: a PC2 of the first fra
     n = struct.unpack("<i", data[16:20])[0]
     struct.pack_into("<i", data, 28, int(arguments[1]))
     open(arguments[2], "wb").write(data[:32 + 12 * n * int(arguments[1])])
+elif command == "noisy":  # BASE SHARE TO: normal noise of this share of the mean edge, TO.pc2 and its first frame, TO.obj
+    n, f, frames = read_pc2(arguments[0])
+    edges = [(int(c[i]) - 1, int(c[(i + 1) % 3]) - 1)
+             for c in ([k.split("/")[0] for k in line.split()[1:]] for line in faces(arguments[0])) for i in range(3)]
+    at = lambda v: frames[0][3 * v:3 * v + 3]
+    deviation = float(arguments[1]) * sum(math.dist(at(v), at(w)) for v, w in edges) / len(edges)
+    generator = random.Random(3)
+    frames = [[x + generator.gauss(0, deviation) for x in frame] for frame in frames]
+    head = open(arguments[0] + ".pc2", "rb").read()[:32]
+    with open(arguments[2] + ".pc2", "wb") as file:
+        file.write(head + b"".join(struct.pack("<%df" % len(frame), *frame) for frame in frames))
+    rounded = [struct.unpack("<f", struct.pack("<f", x))[0] for x in frames[0]]
+    write_obj(arguments[2] + ".obj", rounded, faces(arguments[0]))
+    json.dump({"deviation": deviation}, open(arguments[2] + "_noise.json", "w"))
 elif command == "begun":  # base, first frame, how many, output: a PC2 of frames that go round
     n, f, frames = read_pc2(arguments[0])
     first, count = int(arguments[1]), int(arguments[2])
@@ -492,6 +506,29 @@ find_features --rest f7.obj
 check 'all(near(f[k], g[k], 1e-6) for f, g in zip(x["features"], frame7["features"]) for k in ("sigma", "strength"))'
 check 'where(x) == where(frame7) and p(x)["rest_factor"] == 1'
 # in another unit
+# Noise is measured and taken out, by the mesh that is given; the first frame, if that is the mesh, is as noisy as the others.
+check 'p(base)["noise_taken_out"] is None and p(base)["denoise"] == "auto"'
+python3 tool.py noisy c 0.25 noisy
+expect 0 "taken out, as far as neighbours move alike" c.obj noisy.pc2 --fps 10 -o x.json
+check 'near(p(x)["noise_taken_out"], noisy_noise["deviation"], 0.05)'
+check 'p(x)["rest"] == "mesh"'
+cp x.json without_noise.json
+expect 0 "the average of all frames (the mesh noisy.obj is frame 0)" noisy.obj noisy.pc2 --fps 10 -o x.json
+check 'p(x)["noise_taken_out"] > 0'
+expect 0 "small and short features may be noise" c.obj noisy.pc2 --fps 10 --denoise never -o x.json
+check 'p(x)["noise_taken_out"] is None and p(x)["denoise"] == "never" and x["features"] != without_noise["features"]'
+# a little noise stays in, unless it is to be taken out in any case
+python3 tool.py noisy c 0.05 noisy
+expect 0 "" c.obj noisy.pc2 --fps 10 -o x.json
+if grep -q tremble err; then fail "a little noise is told: $(cat err)"; fi
+cp x.json as_it_is.json
+expect 0 "" c.obj noisy.pc2 --fps 10 --denoise never -o x.json
+check 'x["features"] == as_it_is["features"]'
+expect 0 "taken out, as far as neighbours move alike" c.obj noisy.pc2 --fps 10 --denoise always -o x.json
+check 'p(x)["noise_taken_out"] > 0 and x["features"] != as_it_is["features"]'
+rm x.json
+usage "sometimes" c.obj c.pc2 --denoise sometimes -o x.json
+
 python3 tool.py scaled c 25.4 inches.obj
 rm -f x.json
 input "--rescale-rest" c.obj c.pc2 --rest inches.obj -o x.json
