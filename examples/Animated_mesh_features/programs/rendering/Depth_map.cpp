@@ -21,7 +21,7 @@ constexpr float beyond = 1e30f; // beyond all heights
 
 Depth_map::Depth_map(const Surface& surface, const Eigen::Vector3d& centre, double radius,
                      const Eigen::Vector3d& to_light, std::size_t size)
-  : m_size(long(size))
+  : m_size(int(size))
   , m_centre(centre)
   , m_scale(double(size) / (2 * radius))
   , m_away(1.5 / m_scale)
@@ -30,7 +30,7 @@ Depth_map::Depth_map(const Surface& surface, const Eigen::Vector3d& centre, doub
   const Eigen::Vector3d u = to_light.unitOrthogonal(), v = to_light.cross(u);
   for (int i = 0; i < 3; ++i) m_axes.col(i) = (m_scale * Eigen::Vector3d(u[i], v[i], to_light[i])).cast<float>();
   std::vector<Eigen::Vector3f> projected(surface.points.size());
-  for (std::size_t i = 0; i < projected.size(); ++i) projected[i] = place(surface.points[i]);
+  for (std::size_t i = 0; i < projected.size(); ++i) projected[i] = place((surface.points[i] - centre).cast<float>());
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
     const Surface::Triangle& t = surface.triangles[i];
     const int side = surface.outer_sides.empty() ? 0 : surface.outer_sides[i];
@@ -43,7 +43,7 @@ void Depth_map::draw(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const E
   const float bx = b[0] - a[0], by = b[1] - a[1], cx = c[0] - a[0], cy = c[1] - a[1];
   const float area = bx * cy - by * cx;
   if (area * float(side) < 0) return; // the other side of the body is nearer to the light
-  const auto first = [this](float x) { return (std::min)(int(m_size), (std::max)(0, int(x + 0.5f))); };
+  const auto first = [this](float x) { return (std::min)(m_size, (std::max)(0, int(x + 0.5f))); };
   const int left = first((std::min)((std::min)(a[0], b[0]), c[0])),
             right = first((std::max)((std::max)(a[0], b[0]), c[0]));
   if (left >= right) return;

@@ -26,7 +26,7 @@ public:
   // `radius` are of a sphere around the surface.
   Ground(const Eigen::Vector3d& up, double height, const Eigen::Vector3d& centre, double radius);
 
-  static constexpr std::size_t size = 144; // points along each side, 3.5 % of the body's radius apart
+  static constexpr std::size_t size = 112; // points along each side, 4.5 % of the body's radius apart
 
   // the points at which the light is measured, `size x size`
   std::vector<Shading_point> points() const;
@@ -42,7 +42,7 @@ private:
   static constexpr double reach = 2.5;        // radii of the body, from its centre: where the longest shadows end
   static constexpr double full = 0.25;        // the part of the reach within which shadows are not faded
   static constexpr double least_cosine = 0.2; // the few single lights that are lower would draw long stripes
-  static constexpr int smoothing = 4;         // steps; their Gaussian has a deviation of sqrt(n / 2) points
+  static constexpr int smoothing = 3;         // steps; their Gaussian has a deviation of sqrt(n / 2) points
 
   static double at(std::size_t i) { return 2 * double(i) / double(size - 1) - 1; }
   double texel(double x) const { return (x / m_half_width + 1) / 2 * double(size - 1); }

@@ -14,6 +14,7 @@
 #include <CGAL/tags.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -36,7 +37,7 @@ std::vector<Shading> illuminated(const std::vector<Shading_point>& points, const
 {
   typedef CGAL::Parallel_if_available_tag Parallel;
   using CGAL::Animated_mesh_features::parallel_for;
-  const std::size_t maps_at_a_time = 8, block = 4096;
+  constexpr std::size_t maps_at_a_time = 8, block = 512;
   const double shininess = 34; // a soft highlight, as of clay; see to_34()
   const float reflectance = 0.04f; // of most things that are no metal
   std::vector<Shading> result(points.size());
@@ -47,25 +48,31 @@ std::vector<Shading> illuminated(const std::vector<Shading_point>& points, const
       Interruption::check();
       maps[i] = std::make_unique<Depth_map>(surface, centre, radius, lights[first + i].direction, map_size);
     });
+    // Light by light also within a block: neighbours on the image see a light alike, and look into the same part of its map.
     parallel_for<Parallel>(0, (points.size() + block - 1) / block, [&](std::size_t b) {
       Interruption::check();
-      for (std::size_t p = b * block; p < (std::min)(points.size(), (b + 1) * block); ++p) {
-        const Shading_point& s = points[p];
-        for (std::size_t i = 0; i < n; ++i) {
-          const Light& light = lights[first + i];
+      const std::size_t begin = b * block, end = (std::min)(points.size(), begin + block);
+      std::array<Eigen::Vector3f, block> lifted;
+      for (std::size_t p = begin; p < end; ++p)
+        lifted[p - begin] = maps.front()->lifted(points[p].point, points[p].normal);
+      for (std::size_t i = 0; i < n; ++i) {
+        const Light& light = lights[first + i];
+        for (std::size_t p = begin; p < end; ++p) {
+          const Shading_point& s = points[p];
           const double cosine = s.normal.dot(light.direction);
           if (!(cosine > s.least_cosine)) continue;
-          const float visibility = maps[i]->visibility(s.point, s.normal);
+          const float visibility = maps[i]->visibility(lifted[p - begin]);
           if (!(visibility > 0)) continue;
           result[p].diffuse += visibility * float(cosine) * light.colour;
           if (!light.is_highlight || s.to_eye.isZero()) continue;
           // Blinn's highlights, normalised, with Schlick's approximation of what glances off
-          const Eigen::Vector3d half = (light.direction + s.to_eye).normalized();
-          const double grazing = 1 - (std::max)(0., half.dot(s.to_eye));
+          const Eigen::Vector3d between = light.direction + s.to_eye;
+          const double length = between.norm();
+          const double mirrored = between.dot(s.normal);
+          if (!(mirrored > 0.75 * length)) continue; // to the power of the shininess, below 1e-4
+          const double grazing = 1 - (std::max)(0., between.dot(s.to_eye) / length);
           const double fresnel = reflectance + (1 - reflectance) * grazing * grazing * grazing * grazing * grazing;
-          const double mirrored = (std::max)(0., half.dot(s.normal));
-          if (mirrored < 0.75) continue; // to the power of the shininess, below 1e-4
-          const double lobe = (shininess + 8) / 8 * to_34(mirrored) * fresnel * cosine;
+          const double lobe = (shininess + 8) / 8 * to_34(mirrored / length) * fresnel * cosine;
           result[p].highlight += visibility * float(lobe) * light.colour;
         }
       }

@@ -45,11 +45,11 @@ std::vector<Light> studio_lights(const Eigen::Vector3d& up, const Eigen::Vector3
     for (const Eigen::Vector3d& d : spread_directions(axis, opening * EIGEN_PI / 180, n))
       lights.push_back({d, colour / float(n), is_highlight, !is_highlight});
   };
-  add(direction(-38, 52), 13, 28, 0.62f * Colour(1.03f, 1.f, 0.95f), true);
-  add(direction(55, 18), 25, 12, 0.17f * Colour(0.94f, 0.98f, 1.08f), false);
-  add(direction(150, 38), 18, 12, 0.28f * Colour(0.97f, 0.99f, 1.05f), true);
+  add(direction(-38, 52), 13, 20, 0.62f * Colour(1.03f, 1.f, 0.95f), true);
+  add(direction(55, 18), 25, 8, 0.17f * Colour(0.94f, 0.98f, 1.08f), false);
+  add(direction(150, 38), 18, 8, 0.28f * Colour(0.97f, 0.99f, 1.05f), true);
 
-  const std::size_t dome = 72;
+  const std::size_t dome = 56;
   for (const Eigen::Vector3d& d : spread_directions(up, EIGEN_PI, dome)) {
     const double height = d.dot(up);
     // the sky, and what the ground gives back
