@@ -34,6 +34,7 @@ if ! "$program" small.obj small.pc2 --fps 15 -q -o small.json -o small.csv --htm
   grep -q "built without the viewer" err && skip "the program has no viewer"
   exit 1
 fi
+"$program" small.obj small.pc2 --fps 15 -q --cyclic --html cyclic.html || exit 1
 "$generator" figure --vertices 9500 --frames 48 -o large >/dev/null || exit 1
 "$program" large.obj large.pc2 -q --html large.html || exit 1
 if [[ -n "$comparer" ]]; then
@@ -41,4 +42,4 @@ if [[ -n "$comparer" ]]; then
   "$comparer" small.pc2 other.pc2 -q -o pair.json --html pair.html || exit 1
 fi
 
-"$node" browser_test.mjs "$browser" small large pair
+"$node" browser_test.mjs "$browser" small large pair cyclic

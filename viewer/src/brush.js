@@ -26,7 +26,7 @@ export class Brush {
   }
 
   get frame() {
-    return Math.min(Math.max(Math.round(this.state.values.time / this.scene.frame_duration), 0), this.scene.frames - 1);
+    return this.scene.frameAt(this.state.values.time);
   }
 
   /** Of the mesh's unit. */

@@ -175,7 +175,7 @@ export class Companion {
 
   /** What is shown of either, and when in its own time. */
   names() {
-    const text = (name, { title, frame_duration: d }, { time }) => `${name} · ${title} · ${seconds(time)} · frame ${Math.round(time / d)}`;
+    const text = (name, scene, { time }) => `${name} · ${scene.title} · ${seconds(time)} · frame ${scene.frameAt(time)}`;
     return [text("A", this.viewer.scene, this.viewer.state.values), text("B", this.scene, this.state.values)];
   }
 

@@ -122,9 +122,8 @@ export class Curve {
   /** When a feature lives. */
   drawSpan(g, i, height) {
     const f = this.scene.features[i], rgb = f.color;
-    const from = this.x(Math.max(f.time - f.tau, 0)), to = this.x(Math.min(f.time + f.tau, this.scene.duration));
     g.fillStyle = css(rgb, i === this.state.values.selected ? 0.4 : 0.18);
-    g.fillRect(from, 0, to - from, height);
+    for (const [from, to] of this.scene.spans(f)) g.fillRect(this.x(from), 0, this.x(to) - this.x(from), height);
     g.fillStyle = css(rgb);
     g.fillRect(this.x(f.time) - 1, 0, 2, height);
   }
@@ -133,6 +132,7 @@ export class Curve {
     const d = this.scene.frame_duration, { field } = this;
     g.beginPath();
     this.values.forEach((value, k) => g.lineTo(this.x(this.scene.kept_frames[k] * d), this.y(value)));
+    if (this.scene.cyclic) g.lineTo(this.x(this.scene.duration), this.y(this.values[0]));
     g.strokeStyle = color("--panel");
     g.lineWidth = 5;
     g.stroke();

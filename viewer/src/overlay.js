@@ -71,13 +71,15 @@ export class Overlay {
     const { selected, time, follow } = this.state.values, f = this.scene.features[selected];
     if (f === undefined) return;
     const rgb = f.color, d = this.scene.frame_duration;
+    const times = this.scene.kept_frames.map((frame) => frame * d);
+    if (this.scene.cyclic) times.push(this.scene.duration);
     let last = null;
     g.lineCap = "round";
-    for (const [k, frame] of this.scene.kept_frames.entries()) {
+    for (const [k, t] of times.entries()) {
       // where it is against the body, while that is followed
-      const p = this.stage.projectPlace(this.scene.place(f, frame * d), follow ? { from: frame * d, to: time } : null);
+      const p = this.stage.projectPlace(this.scene.place(f, t), follow ? { from: t, to: time } : null);
       if (last?.isInFront && p.isInFront) {
-        const far = Math.abs(frame * d - time) / Math.max(2 * f.tau, d);
+        const far = this.scene.timeBetween(t, time) / Math.max(2 * f.tau, d);
         g.strokeStyle = css(rgb, 0.3 + 0.65 * Math.exp(-far * far));
         g.lineWidth = far < 1 ? 3 : 2;
         g.beginPath();

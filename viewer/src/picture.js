@@ -13,7 +13,7 @@ const PADDING = 16, LINE = 20, RAMP_WIDTH = 160, RAMP_HEIGHT = 10; // CSS pixels
 
 /** The lines of the caption, and the field with its map if one is shown. */
 export function caption(scene, { time, field: i, map, features, threshold, shown, selected }) {
-  const frame = Math.round(time / scene.frame_duration), field = scene.fields[i], f = scene.features[selected];
+  const frame = scene.frameAt(time), field = scene.fields[i], f = scene.features[selected];
   const lines = [`${scene.title || "Animated mesh"} – ${time.toFixed(3)} s, frame ${frame}`];
   if (features) {
     const n = shown.filter(Boolean).length;

@@ -32,7 +32,7 @@ export class Player {
     }
     if ("speed" in changed) speed.value = `${this.state.values.speed}`;
     if ("time" in changed) {
-      const frame = Math.round(time / this.scene.frame_duration);
+      const frame = this.scene.frameAt(time);
       slider.value = `${time}`;
       slider.setAttribute("aria-valuetext", `${time.toFixed(2)} seconds, frame ${frame}`);
       clock.textContent = `${seconds(time)} · frame ${frame}`;
@@ -47,9 +47,9 @@ export class Player {
 
   /** Goes on by whole frames. */
   step(frames) {
-    const { time } = this.state.values, d = this.scene.frame_duration;
-    const frame = Math.min(Math.max(Math.round(time / d) + frames, 0), this.scene.frames - 1);
-    this.state.set({ time: frame * d, playing: false });
+    const { scene } = this, next = scene.frameAt(this.state.values.time) + frames;
+    const frame = scene.cyclic ? (next + scene.frames) % scene.frames : Math.min(Math.max(next, 0), scene.frames - 1);
+    this.state.set({ time: frame * scene.frame_duration, playing: false });
   }
 
   faster(by) {

@@ -147,7 +147,8 @@ export class Scene {
   }
 
   prepare() {
-    this.duration = (this.frames - 1) * this.frame_duration;
+    // A cyclic animation goes on from the last frame to the first, which is as long as from any other to the next.
+    this.duration = (this.cyclic ? this.frames : this.frames - 1) * this.frame_duration;
     // Lengths are measured from the centre of the whole animation: graphics cards count in single precision only.
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
     this.boxes = this.positions.map((numbers, k) => {
@@ -180,15 +181,17 @@ export class Scene {
       for (let i = 0; i < numbers.length; i += VERTEX_STRIDE) for (let c = 0; c < 3; ++c) sum[c] += numbers[i + c];
       return this.offset(k).map((x, c) => x + (this.step * sum[c]) / this.vertices);
     });
-    const time = (k) => this.kept_frames[k] * this.frame_duration;
+    // in a cyclic animation of those before the first frame and after the last, too
+    const n = means.length, rank = (j) => (this.cyclic ? j - n * Math.floor(j / n) : j);
+    const time = (j) => this.kept_frames[rank(j)] * this.frame_duration + Math.floor(j / n) * this.duration;
     return means.map((_, k) => {
       const total = [0, 0, 0];
       let weights = 0;
       for (const by of [-1, 1])
-        for (let j = by > 0 ? k : k - 1; j >= 0 && j < means.length && Math.abs(time(j) - time(k)) <= 3 * FOLLOWING; j += by) {
+        for (let j = by > 0 ? k : k - 1; means[rank(j)] !== undefined && Math.abs(time(j) - time(k)) <= 3 * FOLLOWING; j += by) {
           const weight = Math.exp(-0.5 * ((time(j) - time(k)) / FOLLOWING) ** 2);
           weights += weight;
-          for (let c = 0; c < 3; ++c) total[c] += weight * means[j][c];
+          for (let c = 0; c < 3; ++c) total[c] += weight * means[rank(j)][c];
         }
       return total.map((x) => x / weights);
     });
@@ -251,11 +254,31 @@ export class Scene {
     return this.corners[k].map((corner, c) => this.origin[c] - this.centre[c] + this.step * corner);
   }
 
+  /** The frame that is nearest to a time. */
+  frameAt(time) {
+    const frame = Math.max(Math.round(time / this.frame_duration), 0);
+    return this.cyclic ? frame % this.frames : Math.min(frame, this.frames - 1);
+  }
+
+  /** From one time to another; in a cyclic animation the shorter way round. */
+  timeBetween(a, b) {
+    const away = Math.abs(a - b);
+    return this.cyclic ? Math.min(away, this.duration - away) : away;
+  }
+
+  /** When a feature lives, [from, to] of what there is of the time; in a cyclic animation perhaps at both ends of it. */
+  spans({ time, tau }) {
+    const ends = [time - tau, time + tau], { duration } = this, clipped = ([from, to]) => [Math.max(from, 0), Math.min(to, duration)];
+    if (!this.cyclic) return [clipped(ends)];
+    return [0, -duration, duration].map((shift) => clipped(ends.map((t) => t + shift))).filter(([from, to]) => from < to);
+  }
+
   /** The kept frames around a time, and how far it is from the first to the second one. */
   interval(time) {
-    const frame = Math.min(Math.max(time / this.frame_duration, 0), this.frames - 1);
-    const last = this.kept_frames.length - 1;
-    let k = last > 0 ? Math.min(Math.floor(frame / this.kept_frames[1]), last - 1) : 0;
+    const frame = Math.min(Math.max(time, 0), this.duration) / this.frame_duration;
+    const last = this.kept_frames.length - 1, before = this.kept_frames[last];
+    if (this.cyclic && frame > before) return { from: last, to: 0, share: (frame - before) / (this.frames - before) };
+    const k = last > 0 ? Math.min(Math.floor(frame / this.kept_frames[1]), last - 1) : 0;
     const from = this.kept_frames[k], to = this.kept_frames[Math.min(k + 1, last)];
     return { from: k, to: Math.min(k + 1, last), share: to > from ? Math.min((frame - from) / (to - from), 1) : 0 };
   }
@@ -283,8 +306,7 @@ export class Scene {
 
   /** How much of a feature is seen at a time, from 0 to 1. In a cyclic animation it lives on across the end. */
   opacity(feature, time) {
-    const away = Math.abs(time - feature.time), period = this.frames * this.frame_duration;
-    const distance = (this.cyclic ? Math.min(away, period - away) : away) / feature.tau;
+    const distance = this.timeBetween(time, feature.time) / feature.tau;
     return distance <= 2 ? Math.exp((-distance * distance) / 2) : 0;
   }
 }

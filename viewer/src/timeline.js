@@ -78,7 +78,7 @@ export class Timeline {
     let best = -1, least = REACH;
     this.scene.features.forEach((f, i) => {
       if (!this.state.values.shown[i] || !this.state.values.features) return;
-      const along = Math.max(this.x(f.time - f.tau) - x, x - this.x(f.time + f.tau), 0);
+      const along = Math.min(...this.scene.spans(f).map(([from, to]) => Math.max(this.x(from) - x, x - this.x(to), 0)));
       const distance = Math.hypot(along, y - this.y(f.strength)) + 0.02 * Math.abs(x - this.x(f.time));
       if (distance < least) [best, least] = [i, distance];
     });
@@ -126,16 +126,18 @@ export class Timeline {
       const isMarked = i === selected || i === this.hovered;
       const alpha = shown[i] ? 1 : 0.22;
       const isSibling = place !== undefined && f.place === place && shown[i]; // the selected place at another time
-      const stroke = (from, to, lineWidth, strokeStyle) => {
+      const stroke = (lineWidth, strokeStyle) => {
         Object.assign(g, { lineWidth, strokeStyle });
         g.beginPath();
-        g.moveTo(this.x(Math.max(from, 0)), y);
-        g.lineTo(this.x(Math.min(to, this.scene.duration)), y);
+        for (const [from, to] of this.scene.spans(f)) {
+          g.moveTo(this.x(from), y);
+          g.lineTo(this.x(to), y);
+        }
         g.stroke();
       };
-      if (isMarked) stroke(f.time - f.tau, f.time + f.tau, BAR + 5, color("--ink"));
-      if (isMarked) stroke(f.time - f.tau, f.time + f.tau, BAR + 2, color("--panel"));
-      stroke(f.time - f.tau, f.time + f.tau, BAR, css(rgb, isMarked ? 0.75 : 0.38 * alpha));
+      if (isMarked) stroke(BAR + 5, color("--ink"));
+      if (isMarked) stroke(BAR + 2, color("--panel"));
+      stroke(BAR, css(rgb, isMarked ? 0.75 : 0.38 * alpha));
       g.fillStyle = css(rgb, alpha);
       g.beginPath();
       g.arc(this.x(f.time), y, isMarked ? 4.2 : 3.2, 0, 2 * Math.PI);
