@@ -20,12 +20,12 @@
 #include "rendering/Palette.h"
 #include "rendering/Panel_cameras.h"
 #include "rendering/Rasteriser.h"
-#include "rendering/outer_sides.h"
 #include "scenes/Shown_scene.h"
 #include "views/Scene_views.h"
 #include "views/View_choice.h"
 
 #include <CGAL/Animated_mesh_features/Animation/Spatio_temporal_field.h>
+#include <CGAL/Animated_mesh_features/Animation/outer_sides.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <CGAL/Surface_mesh.h>

@@ -8,9 +8,10 @@
 
 #include "drawing/decimal.h"
 #include "rendering/Palette.h"
-#include "rendering/outer_sides.h"
 #include "scenes/colour_scales.h"
 #include "scenes/feature_in_frame.h"
+
+#include <CGAL/Animated_mesh_features/Animation/outer_sides.h>
 
 #include <algorithm>
 #include <array>
@@ -29,7 +30,7 @@ Scene_pictures::Scene_pictures(const Shown_scene& scene)
   std::vector<Eigen::Vector3d> rest;
   for (std::size_t i = 0; i < scene.sequence.number_of_vertices(); ++i)
     rest.push_back(scene.sequence.rest_shape().points()[shown_vertex(scene.sequence.rest_shape(), i)]);
-  m_outer_sides = Rendering::outer_sides(rest, m_triangles);
+  m_outer_sides = CGAL::Animated_mesh_features::outer_sides(rest, m_triangles);
   find_range_of_field();
   for (const Shown_feature& f : scene.features) {
     if (!(f.tau > 0)) continue;

@@ -25,7 +25,8 @@ struct Surface
   std::vector<Eigen::Vector3d> normals; // of the vertices, length 1, or 0 where there is none
   std::vector<float> values;            // of the field, 0 to 1; empty if there is none
 
-  // of each triangle, see outer_sides(); empty: not known. What faces away from a light throws no shadow of its own then.
+  // of each triangle, see CGAL::Animated_mesh_features::outer_sides(); empty: not known. What faces away from a light throws
+  // no shadow of its own then.
   std::vector<std::int8_t> outer_sides;
 };
 

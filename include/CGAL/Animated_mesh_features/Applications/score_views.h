@@ -8,6 +8,7 @@
 #define CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_SCORE_VIEWS_H
 
 #include <CGAL/Animated_mesh_features/Animation/Frame_sequence.h>
+#include <CGAL/Animated_mesh_features/Animation/outer_sides.h>
 #include <CGAL/Animated_mesh_features/Applications/Surface_view.h>
 #include <CGAL/Animated_mesh_features/Applications/View_scores.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/Posed_surface.h>
@@ -77,6 +78,7 @@ void add_scored_views(View_scores& result, const Rest_shape& shape, const Vertex
   const Task_loop<CGAL::Parallel_if_available_tag, Any_visitor> loop(visitor, Stage::VIEWS);
   std::vector<std::array<std::uint32_t, 3>> triangles;
   for (const Rest_shape::Triangle& t : shape.triangles()) triangles.push_back({{t[0], t[1], t[2]}});
+  const std::vector<std::int8_t> sides = outer_sides(shape.points(), triangles);
   std::vector<Posed_surface> surfaces(frames.size());
   loop.part(0, 8)(frames.size(), [&](std::size_t k) { surfaces[k] = posed_surface(shape, trajectories, frames[k]); });
   // Long enough for a map to be made for each task, short enough for few threads to wait for each other.
@@ -88,7 +90,7 @@ void add_scored_views(View_scores& result, const Rest_shape& shape, const Vertex
     std::vector<float> seen(result.first_item(k + 1) - result.first_item(k));
     for (std::size_t p = first; p < (std::min)(pairs.size(), first + block); ++p) {
       const Eigen::Vector3d& above = directions[pairs[p].above];
-      map.draw(surfaces[k].points, triangles, above);
+      map.draw(surfaces[k].points, triangles, sides, above, pairs[p].below != View_pair::none);
       for (const bool is_above : {true, false}) {
         const std::size_t d = is_above ? pairs[p].above : pairs[p].below;
         if (d == View_pair::none) continue;

@@ -40,7 +40,10 @@ public:
     , m_low(size * size)
   {}
 
-  void draw(const std::vector<Vector>& points, const std::vector<Triangle>& triangles, const Eigen::Vector3d& direction)
+  // `outer_sides` are those of the triangles, see outer_sides(). What faces away on a closed surface is nowhere nearer than
+  // what faces the viewer. The heights from below are drawn only if they are needed.
+  void draw(const std::vector<Vector>& points, const std::vector<Triangle>& triangles,
+            const std::vector<std::int8_t>& outer_sides, const Eigen::Vector3d& direction, bool from_below)
   {
     const Eigen::Vector3d u = direction.unitOrthogonal();
     m_axes.row(0) = u.transpose().cast<float>();
@@ -48,10 +51,13 @@ public:
     m_axes.row(2) = direction.transpose().cast<float>();
     m_axes *= m_scale;
     std::fill(m_high.begin(), m_high.end(), -beyond);
-    std::fill(m_low.begin(), m_low.end(), beyond);
+    if (from_below) std::fill(m_low.begin(), m_low.end(), beyond);
     m_projected.resize(points.size());
     for (std::size_t v = 0; v < points.size(); ++v) m_projected[v] = place(points[v]);
-    for (const Triangle& t : triangles) draw(m_projected[t[0]], m_projected[t[1]], m_projected[t[2]]);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const Triangle& t = triangles[i];
+      draw(m_projected[t[0]], m_projected[t[1]], m_projected[t[2]], outer_sides[i], from_below);
+    }
   }
 
   // From 0 to 1: how much of the four texels around a point is free of what is above it, or below it if not `from_above`.
@@ -80,7 +86,7 @@ private:
   }
 
   // Most triangles are smaller than a texel and cover no centre of one: they are done with first.
-  void draw(const Vector& a, const Vector& b, const Vector& c)
+  void draw(const Vector& a, const Vector& b, const Vector& c, int outer_side, bool from_below)
   {
     const auto least = [](float x, float y, float z) { return (std::min)((std::min)(x, y), z); };
     const auto most = [](float x, float y, float z) { return (std::max)((std::max)(x, y), z); };
@@ -91,20 +97,40 @@ private:
     const float bx = b[0] - a[0], by = b[1] - a[1], cx = c[0] - a[0], cy = c[1] - a[1];
     const float area = bx * cy - by * cx;
     if (!(std::abs(area) > 1e-12f)) return;
+    const bool is_seen_above = area * float(outer_side) >= 0, is_seen_below = from_below && area * float(outer_side) <= 0;
+    const Box box = {left, right, top, bottom};
+    if (is_seen_above && is_seen_below)
+      fill<true, true>(box, a, b, c, area);
+    else if (is_seen_above)
+      fill<true, false>(box, a, b, c, area);
+    else if (is_seen_below)
+      fill<false, true>(box, a, b, c, area);
+  }
+
+  // Texels, to before the right and the bottom.
+  struct Box
+  {
+    int left, right, top, bottom;
+  };
+
+  template <bool above, bool below>
+  void fill(const Box& box, const Vector& a, const Vector& b, const Vector& c, float area)
+  {
+    const float bx = b[0] - a[0], by = b[1] - a[1], cx = c[0] - a[0], cy = c[1] - a[1];
     const float inverse = 1 / area, slack = -1e-4f; // no gaps between neighbours, whose edges round differently
     const float s_x = cy * inverse, s_y = -cx * inverse, t_x = -by * inverse, t_y = bx * inverse;
     const float bz = b[2] - a[2], cz = c[2] - a[2];
-    for (int y = top; y < bottom; ++y) {
+    for (int y = box.top; y < box.bottom; ++y) {
       const float dy = float(y) + 0.5f - a[1];
-      for (int x = left; x < right; ++x) {
+      for (int x = box.left; x < box.right; ++x) {
         const float dx = float(x) + 0.5f - a[0];
         const float s = s_x * dx + s_y * dy, t = t_x * dx + t_y * dy;
         // Which of so few texels are inside no processor can guess: heights that never count are faster than a branch.
         const float outside = (std::min)((std::min)(s, t), 1 - s - t) < slack ? beyond : 0.f;
         const float height = a[2] + s * bz + t * cz;
         const std::size_t i = std::size_t(y) * std::size_t(m_size) + std::size_t(x);
-        m_high[i] = (std::max)(m_high[i], height - outside);
-        m_low[i] = (std::min)(m_low[i], height + outside);
+        if (above) m_high[i] = (std::max)(m_high[i], height - outside);
+        if (below) m_low[i] = (std::min)(m_low[i], height + outside);
       }
     }
   }
