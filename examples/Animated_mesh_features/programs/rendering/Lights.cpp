@@ -49,7 +49,7 @@ std::vector<Light> studio_lights(const Eigen::Vector3d& up, const Eigen::Vector3
   add(direction(55, 18), 25, 8, 0.17f * Colour(0.94f, 0.98f, 1.08f), false);
   add(direction(150, 38), 18, 8, 0.28f * Colour(0.97f, 0.99f, 1.05f), true);
 
-  const std::size_t dome = 56;
+  const std::size_t dome = 48;
   for (const Eigen::Vector3d& d : spread_directions(up, EIGEN_PI, dome)) {
     const double height = d.dot(up);
     // the sky, and what the ground gives back

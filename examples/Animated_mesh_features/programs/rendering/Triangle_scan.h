@@ -64,11 +64,26 @@ public:
     if (!(from_x < to_x && from_y < to_y)) return;
     for (long y = long(from_y); y < long(to_y); ++y) {
       const double sy = (double(y) + 0.5) * step;
-      for (long x = long(from_x); x < long(to_x); ++x) {
+      const auto is_inside = [&](long x) {
         const double sx = (double(x) + 0.5) * step;
-        if (at(m_edge[0], sx, sy) >= 0 && at(m_edge[1], sx, sy) >= 0 && at(m_edge[2], sx, sy) >= 0)
-          use(x, y, at(m_value, sx, sy));
+        return at(m_edge[0], sx, sy) >= 0 && at(m_edge[1], sx, sy) >= 0 && at(m_edge[2], sx, sy) >= 0;
+      };
+      // Each edge is monotone along a row, also rounded: what is inside is an interval, whose ends are asked for exactly,
+      // from one sample beyond where they should be.
+      double low = from_x, high = to_x - 1;
+      for (const Linear& e : m_edge) {
+        if (e[0] == 0) continue;
+        const double crossing = -(e[1] * sy + e[2]) / e[0] / step - 0.5;
+        if (e[0] > 0)
+          low = (std::max)(low, std::floor(crossing));
+        else
+          high = (std::min)(high, std::ceil(crossing));
       }
+      if (!(low <= high)) continue;
+      long first_inside = long(low), last_inside = long(high);
+      while (first_inside <= last_inside && !is_inside(first_inside)) ++first_inside;
+      while (last_inside > first_inside && !is_inside(last_inside)) --last_inside;
+      for (long x = first_inside; x <= last_inside; ++x) use(x, y, at(m_value, (double(x) + 0.5) * step, sy));
     }
   }
 

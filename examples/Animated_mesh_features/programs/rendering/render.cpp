@@ -248,7 +248,7 @@ Image render(const Surface& surface, const Camera& camera, const Stage_set& set)
     const std::vector<Shading_point> on_ground = ground.points();
 
     // In soft light it is not seen what half a per cent of the body hides.
-    const std::size_t large_maps = 400, small_maps = 224;
+    const std::size_t large_maps = 360, small_maps = 192;
 
     // the lights whose shadows are sharp, on a fragment of each pixel
     const std::vector<std::size_t> lit = lit_fragments(visible, points);
