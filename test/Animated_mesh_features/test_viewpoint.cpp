@@ -232,6 +232,14 @@ void test_visibility()
     ++counted;
   }
   CHECK(wrong == 0 && counted > 2000 && hidden_by_other > 50);
+  // the same if all triangles are turned over: either side may be the outer one
+  Shape turned = shape;
+  for (auto& t : turned.faces) std::swap(t[0], t[1]);
+  const std::vector<float> again = visibility(Animated(turned), Vec(0, 0, 1));
+  std::size_t other = 0;
+  for (std::size_t v = 0; v < shape.points.size(); ++v)
+    other += again[v] != seen[v] && std::abs(v < first ? shape.points[v][2] : shape.points[v][2] - 2) > 0.01;
+  CHECK(other == 0); // but on the outline, of which both sides are seen
 
   // Rays through a heap of plates and an uneven sphere, whatever the direction. What is near an outline is uncertain, by a
   // texel.
