@@ -6,7 +6,7 @@
 
 """Animations beside each other: descriptors, matched features, alignment in time, distances."""
 
-from typing import List, Tuple
+from typing import Tuple
 
 import numpy as np
 
@@ -148,15 +148,15 @@ def signature(found, features=None, *, rate=30.0, descriptor="rotation-free", th
                                                  a["bounding_box_diagonal"], given))
 
 
-def _signature(found, **options):
-    if isinstance(found, Signature):
-        return found._data
-    if isinstance(found, (Detection, FeatureFile)):
-        return signature(found, **options)._data
-    raise TypeError(f"a Detection, a FeatureFile or a Signature is expected, not {type(found).__name__}")
+def _signatures(*found, **running):
+    for one in found:
+        if not isinstance(one, (Detection, FeatureFile, Signature)):
+            raise TypeError(f"a Detection, a FeatureFile or a Signature is expected, not {type(one).__name__}")
+    return [(one if isinstance(one, Signature) else signature(one, **running))._data for one in found]
 
 
-def match_features(a, b, *, matched=150, ratio=1.0, mutual=False) -> np.ndarray:
+@documented
+def match_features(a, b, *, matched=150, ratio=1.0, mutual=False, threads=None, visitor=None) -> np.ndarray:
     """Pairs features of two animations that show the same event, by what the deformation around them is like, where on
     the body they are, and whether the pairs agree in distances and times (Leordeanu, Hebert 2005). No correspondence
     between the meshes is needed.
@@ -170,6 +170,7 @@ def match_features(a, b, *, matched=150, ratio=1.0, mutual=False) -> np.ndarray:
         match only features of which the second nearest is less alike, by this factor; a cycle fails it. 1: all.
     mutual : bool
         match only features of which each is the other's nearest.
+    {running}
 
     Returns
     -------
@@ -179,10 +180,10 @@ def match_features(a, b, *, matched=150, ratio=1.0, mutual=False) -> np.ndarray:
 
     Raises
     ------
-    OptionError
-        if an option makes no sense.
+    {errors}
     """
-    return _core.match_features(_signature(a), _signature(b), arguments(matched=matched, ratio=ratio, mutual=mutual))
+    a, b = _signatures(a, b, threads=threads, visitor=visitor)
+    return _core.match_features(a, b, arguments(matched=matched, ratio=ratio, mutual=mutual), visitor)
 
 
 class Alignment:
@@ -259,12 +260,13 @@ class Alignment:
         return self._data.score
 
 
-def align(a, b, *, place_weight=3.0, recurrence_weight=0.0, max_slope=3, end_weight=1.0,
-          bend_weight=0.02) -> Alignment:
+@documented
+def align(a, b, *, place_weight=3.0, recurrence_weight=0.0, max_slope=3, end_weight=1.0, bend_weight=0.02, threads=None,
+          visitor=None) -> Alignment:
     """Finds the map of time by which the deformation of two animations is most alike (dynamic time warping; Sakoe,
     Chiba 1978), whatever their meshes and frame rates.
 
-    9 max_slope T^2 steps for T samples. Python's lock is released; it cannot be cancelled.
+    9 max_slope T^2 steps for T samples.
 
     Parameters
     ----------
@@ -280,19 +282,21 @@ def align(a, b, *, place_weight=3.0, recurrence_weight=0.0, max_slope=3, end_wei
         from 0, the ends of the animations are open, to 1.
     bend_weight : float
         what it costs that one animation is faster than the other.
+    {running}
 
     Raises
     ------
-    OptionError
-        if an option makes no sense.
+    {errors}
     """
-    a, b = _signature(a), _signature(b)
+    a, b = _signatures(a, b, threads=threads, visitor=visitor)
     return Alignment(_core.align(a, b, arguments(
         place_weight=place_weight, recurrence_weight=recurrence_weight, max_slope=max_slope, end_weight=end_weight,
-        bend_weight=bend_weight)), (a.period, b.period))
+        bend_weight=bend_weight), visitor), (a.period, b.period))
 
 
-def event_differences(a, b, alignment=None, *, place=0.05, profile=0.3, frames=1.5, factor=2.0) -> np.ndarray:
+@documented
+def event_differences(a, b, alignment=None, *, place=0.05, profile=0.3, frames=1.5, factor=2.0, threads=None,
+                      visitor=None) -> np.ndarray:
     """Tells in what two takes of a motion differ: events of one of them only, and events of other amplitudes.
 
     Parameters
@@ -309,6 +313,7 @@ def event_differences(a, b, alignment=None, *, place=0.05, profile=0.3, frames=1
         how many frames it may be early or late, after the alignment; half of tau if that is more.
     factor : float
         the largest ratio of two values of sigma, and of tau.
+    {running}
 
     Returns
     -------
@@ -318,15 +323,16 @@ def event_differences(a, b, alignment=None, *, place=0.05, profile=0.3, frames=1
 
     Raises
     ------
-    OptionError
-        if a number is out of its range.
+    {errors}
     """
-    a, b = _signature(a), _signature(b)
-    data = _core.align(a, b, []) if alignment is None else alignment._data
+    a, b = _signatures(a, b, threads=threads, visitor=visitor)
+    data = _core.align(a, b, [], visitor) if alignment is None else alignment._data
     return _core.event_differences(a, b, data, place, profile, frames, factor)
 
 
-def animation_distance(a, b, *, distance_place_weight=0.0, distance_recurrence_weight=1.0, cycle_weight=0.1) -> float:
+@documented
+def animation_distance(a, b, *, distance_place_weight=0.0, distance_recurrence_weight=1.0, cycle_weight=0.1,
+                       threads=None, visitor=None) -> float:
     """Tells how unlike two motions are, from 0, the same, to 1. It is the same for a body of another shape, another
     mesh and another frame rate, as far as the deformation is.
 
@@ -339,15 +345,15 @@ def animation_distance(a, b, *, distance_place_weight=0.0, distance_recurrence_w
         and how much what was before and comes after.
     cycle_weight : float
         how much cycles count, from 0 to 1.
+    {running}
 
     Raises
     ------
-    OptionError
-        if an option makes no sense.
+    {errors}
     """
     return float(distance_matrix([a, b], distance_place_weight=distance_place_weight,
-                                 distance_recurrence_weight=distance_recurrence_weight,
-                                 cycle_weight=cycle_weight)[0, 1])
+                                 distance_recurrence_weight=distance_recurrence_weight, cycle_weight=cycle_weight,
+                                 threads=threads, visitor=visitor)[0, 1])
 
 
 @documented
@@ -373,7 +379,7 @@ def distance_matrix(animations, *, distance_place_weight=0.0, distance_recurrenc
     ------
     {errors}
     """
-    signatures: List = [_signature(a, threads=threads, visitor=visitor) for a in animations]
+    signatures = _signatures(*animations, threads=threads, visitor=visitor)
     return _core.distances(signatures, arguments(distance_place_weight=distance_place_weight,
                                                  distance_recurrence_weight=distance_recurrence_weight,
                                                  cycle_weight=cycle_weight, threads=threads), visitor)

@@ -122,8 +122,8 @@ RUNNING = """
         so many at most, by default all; the result is the same, bit for bit.
     visitor : callable, optional
         ``visitor(stage, fraction)``, called from this thread some 30 times a stage with the stage's name ("geodesic
-        balls", "strain", "curvature", "scale space", "extrema", "rest shape"; "descriptors", "distances",
-        "simplification", "errors", "views") and how far it is, from 0 to 1. If it returns False, `Cancelled` is raised;
+        balls", "strain", "curvature", "scale space", "extrema", "rest shape"; "descriptors", "matching", "alignment",
+        "distances", "simplification", "errors", "views") and how far it is, from 0 to 1. If it returns False, `Cancelled` is raised;
         an exception of its own goes through. Ctrl-C works without one, too."""
 
 ERRORS = """
