@@ -1,5 +1,5 @@
 # The types of what is public in the Python file of the same name.
-from typing import Literal, Optional, Sequence, Tuple, Union, overload
+from typing import Any, Literal, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -9,12 +9,14 @@ from ._detection import Detection
 from ._files import FeatureFile
 
 Descriptor = Literal["rotation-free", "oriented"]
+Times = Union[np.ndarray, Sequence[Any]]
 Compared = Union["Signature", Detection, FeatureFile]
 
 def descriptors(found: Detection, features: Optional[np.ndarray] = ..., *, descriptor: Descriptor = ...,
                 threads: Optional[int] = ..., visitor: Visitor = ...) -> np.ndarray: ...
 
 class Signature:
+    def __init__(self, data: Any) -> None: ...
     @property
     def features(self) -> np.ndarray: ...
     @property
@@ -41,6 +43,7 @@ def match_features(a: Compared, b: Compared, *, matched: int = ..., ratio: float
                    mutual: bool = ..., threads: Optional[int] = ..., visitor: Visitor = ...) -> np.ndarray: ...
 
 class Alignment:
+    def __init__(self, data: Any, periods: Tuple[float, float]) -> None: ...
     @property
     def times_a(self) -> np.ndarray: ...
     @property
@@ -48,11 +51,11 @@ class Alignment:
     @overload
     def to_b(self, times: float) -> float: ...
     @overload
-    def to_b(self, times: ArrayLike) -> np.ndarray: ...
+    def to_b(self, times: Times) -> np.ndarray: ...
     @overload
     def to_a(self, times: float) -> float: ...
     @overload
-    def to_a(self, times: ArrayLike) -> np.ndarray: ...
+    def to_a(self, times: Times) -> np.ndarray: ...
     @property
     def cost(self) -> float: ...
     @property

@@ -12,7 +12,7 @@ Each figure has its chance level beside it, from `random_places()` or `shifted_i
 
 import json
 import os
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+from typing import Dict, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 
@@ -142,7 +142,7 @@ def chance_level(features, number_of_vertices, duration, figure, *, draws=20, se
     by chance. `figure` returns a number or an array."""
     features = _features(features)
     vertices, times = random_places(len(features), number_of_vertices, duration, draws=draws, seed=seed)
-    total: Any = None
+    total = None
     for vertex, time in zip(vertices, times):
         moved = features.copy()
         moved["vertex"], moved["time"] = vertex, time
