@@ -21,7 +21,7 @@ from ._animation import Shape, _points
 from ._exceptions import InputError, OptionError
 
 __all__ = ["repeated_features", "paired_features", "shifted_in_time", "matching_errors", "feature_regions", "MapScores",
-           "map_scores", "bootstrap_interval", "random_places", "chance_level", "prominent_maxima", "Rig", "RigMatches",
+           "map_scores", "Painting", "read_painting", "bootstrap_interval", "random_places", "chance_level", "prominent_maxima", "Rig", "RigMatches",
            "read_rig_events", "rig_matches"]
 
 
@@ -117,8 +117,37 @@ class MapScores(NamedTuple):
     correlation: float  #: from -1 to 1
 
 
+class Painting(NamedTuple):
+    """What somebody painted on an animation."""
+
+    painter: str  #: who
+    strokes: List[Tuple[int, int, np.ndarray]]  #: first frame, last frame (included), vertices
+    vertices: int  #: of the animation, their number
+    frames: int  #: their number
+    frame_duration: float  #: seconds
+
+    def marks(self) -> np.ndarray:
+        """N x F of float32: 1 where and while something is painted. The mean of several painters' is what `map_scores()`
+        takes."""
+        result = np.zeros((self.vertices, self.frames), dtype=np.float32)
+        for first, last, vertices in self.strokes:
+            result[vertices, first:last + 1] = 1
+        return result
+
+
+def read_painting(path) -> Painting:
+    """Reads what somebody painted on an animation, as the page of ``detect_features --html`` saves it (JSON).
+
+    Raises
+    ------
+    InputError
+        if it is no such file. The message names the member, as ``strokes[3].vertices[0]``.
+    """
+    return Painting(**_core.read_painting(os.fsdecode(path)))
+
+
 def map_scores(map, marks, areas) -> MapScores:
-    """Compares a map (N x F) with marks (N x F, from 0 to 1: which share of people marked a vertex in a frame). Each
+    """Compares a map (N x F) with marks (N x F, from 0 to 1: which share of people marked a vertex in a frame, see `read_painting()`). Each
     vertex counts by its area (N), see `Shape.areas`, each frame the same."""
     return MapScores(*_core.map_scores(map, marks, areas))
 
