@@ -128,8 +128,8 @@ RUNNING = """
     visitor : callable, optional
         ``visitor(stage, fraction)``, called from this thread some 30 times a stage with the stage's name ("geodesic
         balls", "strain", "curvature", "scale space", "extrema", "rest shape"; "descriptors", "matching", "alignment",
-        "distances", "simplification", "errors", "views") and how far it is, from 0 to 1. If it returns False, `Cancelled` is raised;
-        an exception of its own goes through. Ctrl-C works without one, too."""
+        "distances", "simplification", "errors", "views") and how far it is, from 0 to 1. If it returns False,
+        `Cancelled` is raised; an exception of its own goes through. Ctrl-C works without one, too."""
 
 ERRORS = """
     InputError

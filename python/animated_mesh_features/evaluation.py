@@ -20,9 +20,9 @@ from . import _core
 from ._animation import Shape, _points
 from ._exceptions import InputError, OptionError
 
-__all__ = ["repeated_features", "paired_features", "shifted_in_time", "matching_errors", "feature_regions", "MapScores",
-           "map_scores", "Painting", "read_painting", "bootstrap_interval", "random_places", "chance_level", "prominent_maxima", "Rig", "RigMatches",
-           "read_rig_events", "rig_matches"]
+__all__ = ["repeated_features", "paired_features", "shifted_in_time", "matching_errors", "feature_regions",
+           "MapScores", "map_scores", "Painting", "read_painting", "bootstrap_interval", "random_places",
+           "chance_level", "prominent_maxima", "Rig", "RigMatches", "read_rig_events", "rig_matches"]
 
 
 def _features(features):
@@ -147,8 +147,8 @@ def read_painting(path) -> Painting:
 
 
 def map_scores(map, marks, areas) -> MapScores:
-    """Compares a map (N x F) with marks (N x F, from 0 to 1: which share of people marked a vertex in a frame, see `read_painting()`). Each
-    vertex counts by its area (N), see `Shape.areas`, each frame the same."""
+    """Compares a map (N x F) with marks (N x F, from 0 to 1: which share of people marked a vertex in a frame, see
+    `read_painting()`). Each vertex counts by its area (N), see `Shape.areas`, each frame the same."""
     return MapScores(*_core.map_scores(map, marks, areas))
 
 

@@ -310,8 +310,8 @@ def example(frames: np.ndarray, faces: np.ndarray) -> float:
     level = amf.simplify(frames, faces, ratio=0.1).levels[0]
     return t + float(matrix[0, 1]) + len(level.positions(frames)) + len(amf.select_views(r).azimuth)
 """, encoding="utf-8")
-    done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--allow-any-generics", "example.py"], cwd=tmp_path, env=environment,
-                          capture_output=True, text=True)
+    done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--allow-any-generics", "example.py"], cwd=tmp_path,
+                          env=environment, capture_output=True, text=True)
     assert done.returncode == 0, done.stdout
 
 

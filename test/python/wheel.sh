@@ -16,7 +16,7 @@ for module in scikit_build_core.build pybind11 venv pip pytest; do
   fi
 done
 rm -rf "$here/dist" "$here/venv"
-(cd "$root" && "$PYTHON" -c 'import sys; from scikit_build_core.build import build_sdist; build_sdist(sys.argv[1])' "$here/dist")
+(cd "$root" && "$PYTHON" -c 'import sys, scikit_build_core.build as b; b.build_sdist(sys.argv[1])' "$here/dist")
 "$PYTHON" -m pip wheel --quiet --no-build-isolation --no-deps --no-index --wheel-dir "$here/dist" "$here"/dist/*.tar.gz
 "$PYTHON" -m venv --system-site-packages "$here/venv"
 unset PYTHONPATH
