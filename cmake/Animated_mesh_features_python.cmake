@@ -7,9 +7,10 @@
 #
 # CMake's own FindPython takes the newest Python, which need not be the one that has NumPy; here the first one does that
 # has it: python3 on the path, or Debian's. NumPy is needed to run the module, not to build it: whoever sets
-# ANIMATED_MESH_FEATURES_PYTHON, as pip does, may have it later.
+# ANIMATED_MESH_FEATURES_PYTHON, or FindPython's Python_EXECUTABLE, as scikit-build-core does for pip, may have it later.
 
-set(ANIMATED_MESH_FEATURES_PYTHON "" CACHE FILEPATH "The Python of the module; empty: the first one with NumPy")
+set(ANIMATED_MESH_FEATURES_PYTHON "${Python_EXECUTABLE}" CACHE FILEPATH
+  "The Python of the module; empty: the first one with NumPy")
 mark_as_advanced(ANIMATED_MESH_FEATURES_PYTHON)
 set(Animated_mesh_features_python OFF)
 set(Animated_mesh_features_python_missing "ANIMATED_MESH_FEATURES_BUILD_PYTHON is off")
@@ -63,6 +64,13 @@ endfunction()
 
 if(ANIMATED_MESH_FEATURES_BUILD_PYTHON)
   animated_mesh_features_find_python()
+endif()
+if(Animated_mesh_features_python AND SKBUILD)
+  # pip runs as many compilers as Ninja does, whatever memory there is: see job_count in scripts/common.sh.
+  cmake_host_system_information(RESULT megabytes QUERY AVAILABLE_PHYSICAL_MEMORY)
+  math(EXPR jobs "${megabytes} / 2500 + 1")
+  set_property(GLOBAL APPEND PROPERTY JOB_POOLS animated_mesh_features_compilers=${jobs})
+  set(CMAKE_JOB_POOL_COMPILE animated_mesh_features_compilers)
 endif()
 if(Animated_mesh_features_python)
   message(STATUS "Animated_mesh_features: the Python module is built for ${Animated_mesh_features_PYTHON}")

@@ -27,7 +27,8 @@ case "${1:-}" in
   --tests)
     packages+=(ninja-build python3)
     optional+=(ccache libopenmesh-dev clang python3-vtk9 libassimp-dev libhdf5-dev assimp-testmodels curl doxygen
-      libjs-mathjax python3-dev python3-numpy python3-scipy python3-pytest pybind11-dev python3-matplotlib python3-h5py)
+      libjs-mathjax python3-dev python3-numpy python3-scipy python3-pytest python3-mypy pybind11-dev
+      python3-matplotlib python3-h5py python3-nbclient python3-ipykernel)
     command -v chromium > /dev/null || optional+=(chromium)
     ;;
   *) die "unknown option: $1" ;;

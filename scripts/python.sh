@@ -1,17 +1,18 @@
 #!/usr/bin/env bash
 # The Python module from a fresh checkout: installs what is missing (Debian, Ubuntu), builds it, runs its tests and an example.
 #
-#   scripts/python.sh           into build/python_module; for use from there: PYTHONPATH=build/python_module/python
-#   scripts/python.sh --wheel   also makes a wheel and a source package, in build/python_module/dist, and tries the wheel in a
-#                               virtual environment, as pip install would
+#   scripts/python.sh             into build/python_module; for use from there: PYTHONPATH=build/python_module/python
+#   scripts/python.sh --install   also installs it for all users, under /usr/local
+#   scripts/python.sh --wheel     also makes a source package and a wheel, in build/python_module/dist, and tests the wheel in
+#                                 a virtual environment, as pip install would; for this scikit-build-core must be here,
+#                                 which Debian 12 does not have
 
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-wheel=false
-case "${1:-}" in
-  "") ;;
-  --wheel) wheel=true ;;
+more="${1:-}"
+case "$more" in
+  "" | --install | --wheel) ;;
   *) die "unknown option: $1" ;;
 esac
 
@@ -20,8 +21,8 @@ install_packages python3-dev python3-numpy pybind11-dev python3-pytest || die "t
 for package in python3-matplotlib python3-scipy python3-h5py; do
   install_packages "$package" || echo "going on without $package: a part of the tests and of the gallery is left out"
 done
-if $wheel; then
-  install_packages python3-venv python3-pip || die "the packages above could not be installed"
+if [ "$more" = --wheel ]; then
+  install_packages python3-venv python3-pip python3-pybind11 || die "the packages above could not be installed"
 fi
 
 cd "$root"
@@ -39,9 +40,10 @@ echo "built in $((SECONDS - started)) s"
 
 say "Testing"
 programs="$folder/examples/Animated_mesh_features/programs"
-PYTHON="$python" PYTHONPATH="$folder/python" GALLERY="$root/python/gallery" \
+export PYTHON="$python" GALLERY="$root/python/gallery" BUILD_FOLDER="$folder" \
   DETECT_FEATURES="$programs/detect_features" MAKE_ANIMATION="$programs/make_animation" \
-  COMPARE_ANIMATIONS="$programs/compare_animations" SIMPLIFY_ANIMATION="$programs/simplify_animation" bash "$root/test/python/run.sh"
+  COMPARE_ANIMATIONS="$programs/compare_animations" SIMPLIFY_ANIMATION="$programs/simplify_animation"
+PYTHONPATH="$folder/python" bash "$root/test/python/run.sh"
 
 say "An example: a figure that runs, as arrays"
 "$programs/make_animation" figure -o "$folder/figure" > /dev/null
@@ -59,17 +61,18 @@ for f in r.features[:5]:
 print("deformation:", r.deformation.shape, r.deformation.dtype)
 END
 
-if $wheel; then
-  say "Making a wheel and a source package"
-  rm -rf "$folder/dist" "$folder/venv"
-  mkdir -p "$folder/dist"
-  "$python" -m venv --system-site-packages "$folder/venv"
-  "$folder/venv/bin/pip" --quiet wheel --no-deps --wheel-dir "$folder/dist" --config-settings=build-dir="$folder/wheel" \
-    "$root/python"
-  (cd "$root/python" && "$python" -B -c 'import sys, build_backend; build_backend.build_sdist(sys.argv[1])' "$folder/dist")
-  "$folder/venv/bin/pip" --quiet install --no-deps "$folder"/dist/*.whl
-  (cd / && "$folder/venv/bin/python" -c \
-    'import animated_mesh_features as amf; print(amf.__file__, amf.__version__)')
-  ls -l "$folder/dist"
-fi
+case "$more" in
+  --install)
+    say "Installing"
+    missing="$folder, by cmake --install $folder --component python"
+    as_root cmake --install "$folder" --component python
+    ;;
+  --wheel)
+    say "Making a source package and a wheel, which takes as long as the first time"
+    result=0
+    (cd "$folder" && bash "$root/test/python/wheel.sh") || result=$?
+    [ $result -ne 77 ] || die "no wheel is made without scikit-build-core: pip install 'scikit-build-core>=0.10'"
+    [ $result -eq 0 ] || exit $result
+    ;;
+esac
 say "Now try: PYTHONPATH=$folder/python $python"

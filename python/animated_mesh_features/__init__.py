@@ -15,7 +15,7 @@ distinctive way.
 
 detect            features of an animation, arrays in; every option of the command line is a keyword
 detect_in_field   features of a field of your own
-Animation         an animation that is used several times; read_animation: from files
+Animation         an animation that is used several times; read_animation: from files; write_animation: to files
 strain, curvature, deformation, geodesic_balls
                   the parts alone
 descriptors, match_features, align, animation_distance, distance_matrix
@@ -35,7 +35,7 @@ from ._exceptions import Cancelled, Error, InputError, Notice, NumericalError, O
 from ._animation import Animation, Shape, read_animation
 from ._detection import (Detection, curvature, deformation, detect, detect_in_field, feature_dtype, geodesic_balls,
                          strain)
-from ._files import FeatureFile, read_features
+from ._files import FeatureFile, read_features, write_animation
 from ._options import options
 from ._comparison import (Alignment, Signature, align, animation_distance, classical_scaling, descriptors,
                           distance_matrix, event_differences, match_features, signature)
@@ -53,5 +53,5 @@ __all__ = ["Alignment", "Animation", "Cancelled", "Detection", "Error", "Feature
            "animation_distance", "classical_scaling", "curvature", "deformation", "descriptors", "detect",
            "detect_in_field", "distance_matrix", "evaluation", "event_differences", "feature_dtype", "geodesic_balls",
            "has_threads", "match_features", "options", "read_animation", "read_features", "select_views", "signature",
-           "simplify", "strain"]
+           "simplify", "strain", "write_animation"]
 

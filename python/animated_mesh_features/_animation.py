@@ -14,7 +14,7 @@ import numpy as np
 
 from . import _core
 from ._exceptions import InputError, Notice
-from ._options import arguments, documented
+from ._options import GROUPS, arguments, documented, takes
 
 
 def _shape_text(array):
@@ -154,27 +154,22 @@ class Animation(Shape):
     {errors}
     """
 
-    def __init__(self, frames, faces, *, frame_duration=None, fps=None, rest=None, rescale_rest=False,
-                 triangulate=False, weld="auto", repair=False, skip_bad_frames=False, denoise=None, memory=None,
-                 scratch=None, threads=None, visitor=None):
+    @takes("arrays", "resources", "running")
+    def __init__(self, frames, faces, *, frame_duration, rest, visitor, **options):
         if frame_duration is not None:
-            if fps is not None:
+            if options["fps"] is not None:
                 raise TypeError("frame_duration and fps exclude each other")
             frame_duration = float(frame_duration)
             if not 0 < frame_duration < np.inf:
                 raise InputError("the time between two frames must be positive")
-            fps = 1 / frame_duration
+            options["fps"] = 1 / frame_duration
         points = np.empty((0, 3))
         if isinstance(rest, (int, np.integer)) and not isinstance(rest, bool):
             rest = f"frame:{rest}"
         elif rest is not None and not isinstance(rest, (str, os.PathLike)):
             points, rest = _points(rest, "rest"), None
-        self._take(_core.animation_of_arrays(
-            _frames(frames), _faces(faces), points,
-            arguments(fps=fps, rest=rest, rescale_rest=rescale_rest, triangulate=triangulate, weld=weld, repair=repair,
-                      skip_bad_frames=skip_bad_frames, denoise=denoise, memory=memory, scratch=scratch,
-                      threads=threads),
-            visitor))
+        self._take(_core.animation_of_arrays(_frames(frames), _faces(faces), points, arguments(rest=rest, **options),
+                                             visitor))
 
     def _take(self, data):
         self._data = data
@@ -271,11 +266,9 @@ class Animation(Shape):
         return [] if self._data.files == ["faces", "frames"] else self._data.files
 
 
-@documented
-def read_animation(*inputs, fps=None, clip=None, frames=None, there_and_back=False, allow_outside=False, faces=None,
-                   part=None, rest=None, rescale_rest=False, as_given=False, triangulate=False, weld="auto", repair=False,
-                   skip_bad_frames=False, denoise=None, memory=None, scratch=None, threads=None,
-                   visitor=None) -> Animation:
+@takes("reading", "resources", "running")
+def read_animation(*inputs, clip=None, frames=None, there_and_back=False, allow_outside=False, faces=None, part=None,
+                   as_given=False, visitor, **options) -> Animation:
     """Reads an animation from files, as the program ``detect_features`` does.
 
     Parameters
@@ -324,17 +317,14 @@ def read_animation(*inputs, fps=None, clip=None, frames=None, there_and_back=Fal
     names = [os.fsdecode(i) for i in inputs]
     animation = Animation.__new__(Animation)
     animation._take(_core.animation_of_files(names, arguments(
-        fps=fps, clip=clip, frames=frames, there_and_back=there_and_back, allow_outside=allow_outside, faces=faces,
-        part=part, rest=rest, rescale_rest=rescale_rest, as_given=as_given, triangulate=triangulate, weld=weld, repair=repair,
-        skip_bad_frames=skip_bad_frames, denoise=denoise, memory=memory, scratch=scratch, threads=threads), visitor))
+        clip=clip, frames=frames, there_and_back=there_and_back, allow_outside=allow_outside, faces=faces, part=part,
+        as_given=as_given, **options), visitor))
     return animation
 
 
-def animation_of(frames, faces, keywords):
-    """The animation that was given, or the one of the arrays; takes out of the keywords what that is made of."""
-    own = {name: keywords.pop(name) for name in
-           ("frame_duration", "fps", "rest", "rescale_rest", "triangulate", "weld", "repair", "skip_bad_frames",
-            "denoise", "memory", "scratch")}
+def animation_of(frames, faces, options, visitor):
+    """The animation that was given, or the one of the arrays; takes out of the options what that is made of."""
+    own = {name: options.pop(name) for name in (*GROUPS["arrays"], *GROUPS["resources"])}
     if isinstance(frames, Animation):
         given = [name for name, value in own.items() if value is not None and value is not False and value != "auto"]
         if faces is not None or given:
@@ -343,4 +333,4 @@ def animation_of(frames, faces, keywords):
         return frames
     if faces is None:
         raise TypeError("faces are needed with an array of frames")
-    return Animation(frames, faces, threads=keywords["threads"], visitor=keywords["visitor"], **own)
+    return Animation(frames, faces, threads=options["threads"], visitor=visitor, **own)

@@ -6,7 +6,7 @@
 
 """Animations beside each other: descriptors, matched features, alignment in time, distances."""
 
-from typing import List, Tuple
+from typing import Tuple
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from . import _core
 from ._detection import Detection
 from ._exceptions import InputError
 from ._files import FeatureFile
-from ._options import arguments, documented
+from ._options import arguments, takes
 from .evaluation import _features
 
 
@@ -28,8 +28,8 @@ def _known_features(found, features, *kinds):
     return array
 
 
-@documented
-def descriptors(found, features=None, *, descriptor="rotation-free", threads=None, visitor=None) -> np.ndarray:
+@takes("running")
+def descriptors(found, features=None, *, descriptor="rotation-free", visitor, **options) -> np.ndarray:
     """Describes features by what the deformation around them is like: histograms of its gradients in space and time, in
     coordinates of the feature's own place, sigma and tau. What is alike has a small Euclidean distance, whatever the
     mesh, the size and the frame rate of the body.
@@ -55,7 +55,7 @@ def descriptors(found, features=None, *, descriptor="rotation-free", threads=Non
     {errors}
     """
     chosen = _known_features(found, features, Detection)
-    return _core.descriptors(found._data, chosen, arguments(descriptor=descriptor, threads=threads), visitor)
+    return _core.descriptors(found._data, chosen, arguments(descriptor=descriptor, **options), visitor)
 
 
 class Signature:
@@ -115,8 +115,8 @@ class Signature:
         return self._data.cycle_strength
 
 
-@documented
-def signature(found, features=None, *, rate=30.0, descriptor="rotation-free", threads=None, visitor=None) -> Signature:
+@takes("running")
+def signature(found, features=None, *, rate=30.0, descriptor="rotation-free", visitor, **options) -> Signature:
     """Makes the signature of an animation. All that compares takes what was found as well, and makes it itself; make it
     once to compare an animation several times, or with other options.
 
@@ -140,7 +140,7 @@ def signature(found, features=None, *, rate=30.0, descriptor="rotation-free", th
     {errors}
     """
     chosen = _known_features(found, features, Detection, FeatureFile)
-    given = arguments(rate=rate, descriptor=descriptor, threads=threads)
+    given = arguments(rate=rate, descriptor=descriptor, **options)
     if not isinstance(found, FeatureFile):
         return Signature(_core.signature(found._data, chosen, given, visitor))
     a = found.animation
@@ -148,15 +148,15 @@ def signature(found, features=None, *, rate=30.0, descriptor="rotation-free", th
                                                  a["bounding_box_diagonal"], given))
 
 
-def _signature(found, **options):
-    if isinstance(found, Signature):
-        return found._data
-    if isinstance(found, (Detection, FeatureFile)):
-        return signature(found, **options)._data
-    raise TypeError(f"a Detection, a FeatureFile or a Signature is expected, not {type(found).__name__}")
+def _signatures(*found, **running):
+    for one in found:
+        if not isinstance(one, (Detection, FeatureFile, Signature)):
+            raise TypeError(f"a Detection, a FeatureFile or a Signature is expected, not {type(one).__name__}")
+    return [(one if isinstance(one, Signature) else signature(one, **running))._data for one in found]
 
 
-def match_features(a, b, *, matched=150, ratio=1.0, mutual=False) -> np.ndarray:
+@takes("running")
+def match_features(a, b, *, matched=150, ratio=1.0, mutual=False, **running) -> np.ndarray:
     """Pairs features of two animations that show the same event, by what the deformation around them is like, where on
     the body they are, and whether the pairs agree in distances and times (Leordeanu, Hebert 2005). No correspondence
     between the meshes is needed.
@@ -170,6 +170,7 @@ def match_features(a, b, *, matched=150, ratio=1.0, mutual=False) -> np.ndarray:
         match only features of which the second nearest is less alike, by this factor; a cycle fails it. 1: all.
     mutual : bool
         match only features of which each is the other's nearest.
+    {running}
 
     Returns
     -------
@@ -179,10 +180,10 @@ def match_features(a, b, *, matched=150, ratio=1.0, mutual=False) -> np.ndarray:
 
     Raises
     ------
-    OptionError
-        if an option makes no sense.
+    {errors}
     """
-    return _core.match_features(_signature(a), _signature(b), arguments(matched=matched, ratio=ratio, mutual=mutual))
+    a, b = _signatures(a, b, **running)
+    return _core.match_features(a, b, arguments(matched=matched, ratio=ratio, mutual=mutual), running["visitor"])
 
 
 class Alignment:
@@ -259,12 +260,13 @@ class Alignment:
         return self._data.score
 
 
-def align(a, b, *, place_weight=3.0, recurrence_weight=0.0, max_slope=3, end_weight=1.0,
-          bend_weight=0.02) -> Alignment:
+@takes("running")
+def align(a, b, *, place_weight=3.0, recurrence_weight=0.0, max_slope=3, end_weight=1.0, bend_weight=0.02,
+          **running) -> Alignment:
     """Finds the map of time by which the deformation of two animations is most alike (dynamic time warping; Sakoe,
     Chiba 1978), whatever their meshes and frame rates.
 
-    9 max_slope T^2 steps for T samples. Python's lock is released; it cannot be cancelled.
+    9 max_slope T^2 steps for T samples.
 
     Parameters
     ----------
@@ -280,19 +282,21 @@ def align(a, b, *, place_weight=3.0, recurrence_weight=0.0, max_slope=3, end_wei
         from 0, the ends of the animations are open, to 1.
     bend_weight : float
         what it costs that one animation is faster than the other.
+    {running}
 
     Raises
     ------
-    OptionError
-        if an option makes no sense.
+    {errors}
     """
-    a, b = _signature(a), _signature(b)
+    a, b = _signatures(a, b, **running)
     return Alignment(_core.align(a, b, arguments(
         place_weight=place_weight, recurrence_weight=recurrence_weight, max_slope=max_slope, end_weight=end_weight,
-        bend_weight=bend_weight)), (a.period, b.period))
+        bend_weight=bend_weight), running["visitor"]), (a.period, b.period))
 
 
-def event_differences(a, b, alignment=None, *, place=0.05, profile=0.3, frames=1.5, factor=2.0) -> np.ndarray:
+@takes("running")
+def event_differences(a, b, alignment=None, *, place=0.05, profile=0.3, frames=1.5, factor=2.0,
+                      **running) -> np.ndarray:
     """Tells in what two takes of a motion differ: events of one of them only, and events of other amplitudes.
 
     Parameters
@@ -309,6 +313,7 @@ def event_differences(a, b, alignment=None, *, place=0.05, profile=0.3, frames=1
         how many frames it may be early or late, after the alignment; half of tau if that is more.
     factor : float
         the largest ratio of two values of sigma, and of tau.
+    {running}
 
     Returns
     -------
@@ -318,49 +323,40 @@ def event_differences(a, b, alignment=None, *, place=0.05, profile=0.3, frames=1
 
     Raises
     ------
-    OptionError
-        if a number is out of its range.
+    {errors}
     """
-    a, b = _signature(a), _signature(b)
-    data = _core.align(a, b, []) if alignment is None else alignment._data
+    a, b = _signatures(a, b, **running)
+    data = _core.align(a, b, [], running["visitor"]) if alignment is None else alignment._data
     return _core.event_differences(a, b, data, place, profile, frames, factor)
 
 
-def animation_distance(a, b, *, distance_place_weight=0.0, distance_recurrence_weight=1.0, cycle_weight=0.1) -> float:
+@takes("distance", "running")
+def animation_distance(a, b, **options) -> float:
     """Tells how unlike two motions are, from 0, the same, to 1. It is the same for a body of another shape, another
     mesh and another frame rate, as far as the deformation is.
 
     Parameters
     ----------
     a, b : Signature, Detection or FeatureFile
-    distance_place_weight : float
-        how much the places of deformation count.
-    distance_recurrence_weight : float
-        and how much what was before and comes after.
-    cycle_weight : float
-        how much cycles count, from 0 to 1.
+    {distance}
+    {running}
 
     Raises
     ------
-    OptionError
-        if an option makes no sense.
+    {errors}
     """
-    return float(distance_matrix([a, b], distance_place_weight=distance_place_weight,
-                                 distance_recurrence_weight=distance_recurrence_weight,
-                                 cycle_weight=cycle_weight)[0, 1])
+    return float(distance_matrix([a, b], **options)[0, 1])
 
 
-@documented
-def distance_matrix(animations, *, distance_place_weight=0.0, distance_recurrence_weight=1.0, cycle_weight=0.1,
-                    threads=None, visitor=None) -> np.ndarray:
+@takes("distance", "running")
+def distance_matrix(animations, *, threads, visitor, **options) -> np.ndarray:
     """The distances of all pairs of animations, see `animation_distance()`.
 
     Parameters
     ----------
     animations : sequence of Signature, Detection or FeatureFile
         of the first two, if they are large, signatures take less memory.
-    distance_place_weight, distance_recurrence_weight, cycle_weight : float
-        see `animation_distance()`.
+    {distance}
     {running}
 
     Returns
@@ -373,10 +369,8 @@ def distance_matrix(animations, *, distance_place_weight=0.0, distance_recurrenc
     ------
     {errors}
     """
-    signatures: List = [_signature(a, threads=threads, visitor=visitor) for a in animations]
-    return _core.distances(signatures, arguments(distance_place_weight=distance_place_weight,
-                                                 distance_recurrence_weight=distance_recurrence_weight,
-                                                 cycle_weight=cycle_weight, threads=threads), visitor)
+    signatures = _signatures(*animations, threads=threads, visitor=visitor)
+    return _core.distances(signatures, arguments(threads=threads, **options), visitor)
 
 
 def classical_scaling(distances) -> np.ndarray:

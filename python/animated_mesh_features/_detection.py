@@ -11,7 +11,7 @@ import numpy as np
 from . import _core
 from ._animation import Animation, Shape, _numbers, _shape_text, animation_of
 from ._exceptions import InputError, OptionError
-from ._options import arguments, documented
+from ._options import arguments, takes
 
 #: The type of a feature: a row of `Detection.features`.
 #:
@@ -157,14 +157,8 @@ class Detection:
         self._data.write(given)
 
 
-@documented
-def detect(frames, faces=None, *, frame_duration=None, fps=None, rest=None, rescale_rest=False, triangulate=False,
-           weld="auto", repair=False, skip_bad_frames=False,
-           denoise=None, preset="calibrated", strain=None, curvature=None,
-           balls=None, ball_radius=None, alpha=None, baseline=None, spatial_filter=None, dimension=None,
-           temporal_filter=None, cyclic=False, box_width=None, space_counts=None, time_counts=None, sigma_range=None,
-           tau_range=None, threshold=None, relative_threshold=None, min_fit=None, top=None, no_suppression=False,
-           keep_fields=("deformation",), memory=None, scratch=None, threads=None, visitor=None) -> Detection:
+@takes("arrays", "measures", "search", "selection", "resources", "running")
+def detect(frames, faces=None, *, keep_fields=("deformation",), visitor, **options) -> Detection:
     """Detects the spatio-temporal feature points of an animated mesh: where, when, how large and how long it deforms in
     a distinctive way.
 
@@ -178,7 +172,8 @@ def detect(frames, faces=None, *, frame_duration=None, fps=None, rest=None, resc
     Parameters
     ----------
     {arrays}
-    {method}
+    {measures}
+    {search}
     {selection}
     keep_fields : sequence of {"deformation", "strain", "curvature"}
         which fields the result has, N x F each.
@@ -194,25 +189,18 @@ def detect(frames, faces=None, *, frame_duration=None, fps=None, rest=None, resc
     ------
     {errors}
     """
-    keywords = dict(locals())
-    for name in ("frames", "faces", "keep_fields"):
-        del keywords[name]
     if isinstance(keep_fields, str):
         keep_fields = (keep_fields,)
     for kind in keep_fields:
         if kind not in _FIELDS:
             raise OptionError(f"keep_fields: there is no \"{kind}\"; choose among {', '.join(_FIELDS)}")
-    animation = animation_of(frames, faces, keywords)
-    del keywords["visitor"]
-    return Detection(_core.detect(animation._data, arguments(**keywords), list(keep_fields), visitor), animation)
+    animation = animation_of(frames, faces, options, visitor)
+    return Detection(_core.detect(animation._data, arguments(**options), list(keep_fields), visitor), animation)
 
 
-@documented
-def detect_in_field(field, shape, faces=None, *, frame_duration=None, fps=None, noise=0.0, preset="calibrated",
-                    baseline="none", spatial_filter=None, dimension=None, temporal_filter=None, cyclic=False,
-                    box_width=None, space_counts=None, time_counts=None, sigma_range=None, tau_range=None,
-                    threshold=None, relative_threshold=None, min_fit=None, top=None, no_suppression=False,
-                    threads=None, visitor=None) -> Detection:
+@takes("clock", "fps", "preset", "search", "selection", "running")
+def detect_in_field(field, shape, faces=None, *, noise=0.0, baseline="none", frame_duration, fps, visitor,
+                    **options) -> Detection:
     """Finds features in a field of your own: temperature, muscle activity, the error of a simulation. Its positive
     bumps are found.
 
@@ -228,12 +216,15 @@ def detect_in_field(field, shape, faces=None, *, frame_duration=None, fps=None, 
         see `detect()`; those of the animation, if there is one.
     noise : float
         responses that are at most that strong count as errors of the field.
-    {method}
+    preset : {"calibrated", "published"}
+        see `detect()`; the paper's own choices are marked (p).
+    baseline : {"none", "least"}
+        what is subtracted from the field of each vertex: nothing, or its least value over the clip.
+    {search}
     {selection}
     {running}
 
-    Of these, those that are arguments are taken: nothing is measured here. The unit of the field is not known: if there
-    is no threshold, `relative_threshold` is 0.2. `baseline` is "none" by default.
+    The unit of the field is not known: if there is no threshold, `relative_threshold` is 0.2.
 
     Returns
     -------
@@ -244,9 +235,6 @@ def detect_in_field(field, shape, faces=None, *, frame_duration=None, fps=None, 
     ------
     {errors}
     """
-    keywords = dict(locals())
-    for name in ("field", "shape", "faces", "frame_duration", "fps", "noise", "visitor"):
-        del keywords[name]
     if not isinstance(shape, Shape):
         if faces is None:
             raise TypeError("faces are needed: detect_in_field(field, vertices, faces)")
@@ -265,20 +253,16 @@ def detect_in_field(field, shape, faces=None, *, frame_duration=None, fps=None, 
     if values.ndim != 2:
         raise InputError(f"the field: vertices x frames are expected, not {_shape_text(values)}")
     return Detection(_core.detect_in_field(shape._data, values, float(frame_duration), float(noise),
-                                           arguments(**keywords), visitor), shape)
+                                           arguments(baseline=baseline, **options), visitor), shape)
 
 
-def _measure(kind, frames, faces, keywords):
-    animation = animation_of(frames, faces, keywords)
-    visitor = keywords.pop("visitor")
-    return _core.measure(animation._data, kind, arguments(**keywords), visitor)
+def _measure(kind, frames, faces, visitor, options):
+    animation = animation_of(frames, faces, options, visitor)
+    return _core.measure(animation._data, kind, arguments(**options), visitor)
 
 
-@documented
-def strain(frames, faces=None, *, frame_duration=None, fps=None, rest=None, rescale_rest=False, triangulate=False,
-           weld="auto", repair=False, skip_bad_frames=False,
-           denoise=None, preset="calibrated", strain=None, memory=None,
-           scratch=None, threads=None, visitor=None) -> np.ndarray:
+@takes("arrays", "preset", "strain", "resources", "running")
+def strain(frames, faces=None, *, visitor, **options) -> np.ndarray:
     """Measures the strain of all vertices in all frames against the rest shape: N x F, without unit, O(N F).
 
     Parameters
@@ -295,16 +279,11 @@ def strain(frames, faces=None, *, frame_duration=None, fps=None, rest=None, resc
     ------
     {errors}
     """
-    keywords = dict(locals())
-    del keywords["frames"], keywords["faces"]
-    return _measure("strain", frames, faces, keywords)
+    return _measure("strain", frames, faces, visitor, options)
 
 
-@documented
-def curvature(frames, faces=None, *, frame_duration=None, fps=None, rest=None, rescale_rest=False, triangulate=False,
-              weld="auto", repair=False, skip_bad_frames=False,
-              denoise=None, preset="calibrated", curvature=None, balls=None,
-              ball_radius=None, memory=None, scratch=None, threads=None, visitor=None) -> np.ndarray:
+@takes("arrays", "preset", "curvature", "balls", "ball_radius", "resources", "running")
+def curvature(frames, faces=None, *, visitor, **options) -> np.ndarray:
     """Measures the absolute change of curvature from the rest shape, over geodesic balls: N x F, without unit, O(N F)
     and the balls.
 
@@ -320,25 +299,18 @@ def curvature(frames, faces=None, *, frame_duration=None, fps=None, rest=None, r
     ------
     {errors}
     """
-    keywords = dict(locals())
-    del keywords["frames"], keywords["faces"]
-    return _measure("curvature", frames, faces, keywords)
+    return _measure("curvature", frames, faces, visitor, options)
 
 
-@documented
-def deformation(frames, faces=None, *, frame_duration=None, fps=None, rest=None, rescale_rest=False, triangulate=False,
-                weld="auto", repair=False, skip_bad_frames=False,
-                denoise=None, preset="calibrated", strain=None, curvature=None,
-                balls=None, ball_radius=None, alpha=None, baseline=None, memory=None, scratch=None, threads=None,
-                visitor=None) -> np.ndarray:
+@takes("arrays", "measures", "resources", "running")
+def deformation(frames, faces=None, *, visitor, **options) -> np.ndarray:
     """Measures the deformation in which features are found: strain + alpha |change of curvature|, less what never
     changes. N x F, without unit.
 
     Parameters
     ----------
     {arrays}
-    preset : {"calibrated", "published"}
-        see `detect()`, as the next six.
+    {measures}
     {resources}
     {running}
 
@@ -346,12 +318,11 @@ def deformation(frames, faces=None, *, frame_duration=None, fps=None, rest=None,
     ------
     {errors}
     """
-    keywords = dict(locals())
-    del keywords["frames"], keywords["faces"]
-    return _measure("deformation", frames, faces, keywords)
+    return _measure("deformation", frames, faces, visitor, options)
 
 
-def geodesic_balls(shape, faces=None, *, ball_radius=None, balls=None, threads=None, visitor=None):
+@takes("ball_radius", "balls", "running")
+def geodesic_balls(shape, faces=None, *, visitor, **options):
     """Finds for each vertex the vertices within a geodesic distance.
 
     Parameters
@@ -360,8 +331,9 @@ def geodesic_balls(shape, faces=None, *, ball_radius=None, balls=None, threads=N
         the surface at rest.
     faces : array_like of int, T x 3
         with an array of vertices.
-    ball_radius, balls, threads, visitor
+    ball_radius, balls
         see `detect()`.
+    {running}
 
     Returns
     -------
@@ -376,4 +348,4 @@ def geodesic_balls(shape, faces=None, *, ball_radius=None, balls=None, threads=N
         shape = Shape(shape, faces)
     elif faces is not None:
         raise TypeError("faces goes with an array of vertices")
-    return _core.geodesic_balls(shape._data, arguments(ball_radius=ball_radius, balls=balls, threads=threads), visitor)
+    return _core.geodesic_balls(shape._data, arguments(**options), visitor)

@@ -6,8 +6,11 @@
 
 """From keywords to the options of the command line, which are understood and checked in one place for both."""
 
+import functools
+import inspect
 import os
 import re
+from typing import Any, Dict
 
 import numpy as np
 
@@ -23,7 +26,7 @@ _LISTS = frozenset(["vertices", "lods"])
 _REPEATABLE = frozenset(["output", "write_field", "frame"])
 _SWITCHES |= {"mutual"}  # of a comparison
 
-METHOD = """
+MEASURES = """
     preset : {"calibrated", "published"}
         the paper's own choices, marked (p) below, or those that repair what breaks in them. What the other options
         choose replaces a single choice of the preset.
@@ -40,7 +43,9 @@ METHOD = """
     alpha : float, optional
         weight of the change of curvature against strain, by default 7; 0 leaves curvature out.
     baseline : {"least", "none"}, optional
-        what is subtracted from the deformation of each vertex: its least value over the clip, or nothing (p).
+        what is subtracted from the deformation of each vertex: its least value over the clip, or nothing (p)."""
+
+SEARCH = """
     spatial_filter : {"heat", "one-ring"}, optional
         diffusion, or averages over neighbours (p).
     dimension : {"surface", "plane"}, optional
@@ -80,7 +85,7 @@ ARRAYS = """
     frames : array_like, F x N x 3, or Animation
         positions of N vertices in F frames, at least 3: float32 or float64 of any strides and memory maps are read
         where they are, other numbers are converted first. Also a sequence of F arrays N x 3. Or an animation that was
-        made before, with which none of the next seven arguments goes.
+        made before, with which `faces` and what is made of arrays, up to `denoise`, do not go.
     faces : array_like of int, T x 3
         the vertices of each triangle, counted from 0, of any type of integers. An oriented manifold, possibly with
         border.
@@ -122,9 +127,9 @@ RUNNING = """
         so many at most, by default all; the result is the same, bit for bit.
     visitor : callable, optional
         ``visitor(stage, fraction)``, called from this thread some 30 times a stage with the stage's name ("geodesic
-        balls", "strain", "curvature", "scale space", "extrema", "rest shape"; "descriptors", "distances",
-        "simplification", "errors", "views") and how far it is, from 0 to 1. If it returns False, `Cancelled` is raised;
-        an exception of its own goes through. Ctrl-C works without one, too."""
+        balls", "strain", "curvature", "scale space", "extrema", "rest shape"; "descriptors", "matching", "alignment",
+        "distances", "simplification", "errors", "views") and how far it is, from 0 to 1. If it returns False,
+        `Cancelled` is raised; an exception of its own goes through. Ctrl-C works without one, too."""
 
 ERRORS = """
     InputError
@@ -136,8 +141,33 @@ ERRORS = """
     Cancelled
         if the visitor asked for it."""
 
-_TEXTS = {"{method}": METHOD, "{selection}": SELECTION, "{arrays}": ARRAYS, "{resources}": RESOURCES,
-          "{running}": RUNNING, "{errors}": ERRORS}
+DISTANCE = """
+    distance_place_weight : float
+        how much the places of deformation count.
+    distance_recurrence_weight : float
+        and how much what was before and comes after.
+    cycle_weight : float
+        how much cycles count, from 0 to 1."""
+
+_TEXTS = {"{measures}": MEASURES, "{search}": SEARCH, "{selection}": SELECTION, "{arrays}": ARRAYS,
+          "{resources}": RESOURCES, "{running}": RUNNING, "{distance}": DISTANCE, "{errors}": ERRORS}
+
+# The keywords that several functions take, with their defaults: the one table of them, beside their description above.
+GROUPS: Dict[str, Dict[str, Any]] = {
+    "clock": dict(frame_duration=None),
+    "reading": dict(fps=None, rest=None, rescale_rest=False, triangulate=False, weld="auto", repair=False,
+                    skip_bad_frames=False, denoise=None),
+    "measures": dict(preset="calibrated", strain=None, curvature=None, balls=None, ball_radius=None, alpha=None,
+                     baseline=None),
+    "search": dict(spatial_filter=None, dimension=None, temporal_filter=None, cyclic=False, box_width=None,
+                   space_counts=None, time_counts=None, sigma_range=None, tau_range=None),
+    "selection": dict(threshold=None, relative_threshold=None, min_fit=None, top=None, no_suppression=False),
+    "distance": dict(distance_place_weight=0.0, distance_recurrence_weight=1.0, cycle_weight=0.1),
+    "resources": dict(memory=None, scratch=None),
+    "running": dict(threads=None, visitor=None),
+}
+GROUPS["arrays"] = {**GROUPS["clock"], **GROUPS["reading"]}
+_DEFAULTS = {name: default for group in GROUPS.values() for name, default in group.items()}
 
 
 def documented(function):
@@ -145,6 +175,31 @@ def documented(function):
     if function.__doc__:  # not with python -OO
         function.__doc__ = re.sub(r"\n *(\{\w+\})", lambda m: _TEXTS[m[1]], function.__doc__)
     return function
+
+
+def takes(*names):
+    """Makes a function of ``**options`` one of keywords: of the groups and single keywords that are named. The function
+    gets all of them, by name where it names one; whoever asks for its signature, as `help()` does, is told their names and
+    defaults."""
+    def decorate(function):
+        taken = {}
+        for name in names:
+            taken.update(GROUPS[name] if name in GROUPS else {name: _DEFAULTS[name]})
+        own = inspect.signature(function)
+        known = [p for p in own.parameters.values() if p.kind is not p.VAR_KEYWORD and p.name not in taken]
+        signature = own.replace(parameters=known + [inspect.Parameter(n, inspect.Parameter.KEYWORD_ONLY, default=d)
+                                                    for n, d in taken.items()])
+
+        @functools.wraps(function)
+        def call(*positional, **keywords):
+            for name in keywords:
+                if name not in signature.parameters:
+                    raise TypeError(f"{function.__name__}() got an unexpected keyword argument '{name}'")
+            return function(*positional, **{**taken, **keywords})
+
+        call.__signature__ = signature
+        return documented(call)
+    return decorate
 
 
 def _text(name, value):

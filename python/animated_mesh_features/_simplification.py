@@ -14,7 +14,7 @@ import numpy as np
 from . import _core
 from ._animation import Animation, _frames, animation_of
 from ._exceptions import InputError, OptionError
-from ._options import arguments, documented
+from ._options import arguments, takes
 from .evaluation import _features
 
 
@@ -103,12 +103,9 @@ class Simplification:
         return json.loads(self._data.report)
 
 
-@documented
+@takes("arrays", "resources", "running")
 def simplify(frames, faces=None, *, vertices=None, ratio=None, lods=None, error=None, poses=None, features=None,
-             guidance=None, normals=None, support=None, measure=True, frame_duration=None, fps=None, rest=None,
-             rescale_rest=False, triangulate=False, weld="auto", repair=False, skip_bad_frames=False,
-             denoise=None, memory=None,
-             scratch=None, threads=None, visitor=None) -> Simplification:
+             guidance=None, normals=None, support=None, measure=True, denoise, visitor, **options) -> Simplification:
     """Collapses edges of the mesh where that changes the surface least, in all poses together: one coarse connectivity
     for all frames, or several, nested. No collapse turns a triangle over in any frame, the topology stays.
 
@@ -152,19 +149,16 @@ def simplify(frames, faces=None, *, vertices=None, ratio=None, lods=None, error=
     ------
     {errors}
     """
-    keywords = dict(locals())
-    for name in ("frames", "faces", "features", "measure", "visitor"):
-        del keywords[name]
     if guidance is not None and features is None:
         raise OptionError("guidance goes with features")
     chosen = _features(np.zeros(0, dtype=_core.feature_dtype) if features is None else features)
-    own = {name: keywords.pop(name) for name in ("vertices", "ratio", "lods", "error", "poses", "guidance", "normals",
-                                                 "support")}
-    if keywords["denoise"] is None and not isinstance(frames, Animation):
-        keywords["denoise"] = "never"  # what is to be simplified is what was given, as in the program
-    animation = animation_of(frames, faces, dict(keywords, visitor=visitor))
+    if denoise is None and not isinstance(frames, Animation):
+        denoise = "never"  # what is to be simplified is what was given, as in the program
+    animation = animation_of(frames, faces, dict(options, denoise=denoise), visitor)
     n, length = animation.number_of_vertices, animation.number_of_frames
     if (chosen["vertex"] >= n).any() or (chosen["frame"] >= length).any():
         raise InputError(f"features: some are not of the {n} vertices and {length} frames of the animation")
-    data = _core.simplify(animation._data, chosen, arguments(**own, threads=threads), bool(measure), visitor)
+    data = _core.simplify(animation._data, chosen, arguments(
+        vertices=vertices, ratio=ratio, lods=lods, error=error, poses=poses, guidance=guidance, normals=normals,
+        support=support, threads=options["threads"]), bool(measure), visitor)
     return Simplification(data, animation)

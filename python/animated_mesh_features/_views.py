@@ -14,7 +14,7 @@ from . import _core
 from ._animation import Animation
 from ._detection import Detection
 from ._exceptions import OptionError
-from ._options import arguments, documented
+from ._options import arguments, takes
 from .evaluation import _features
 
 
@@ -37,9 +37,9 @@ class Views(NamedTuple):
         return f"<Views in {len(self.frames)} frames: {views}>"
 
 
-@documented
+@takes("running")
 def select_views(animation, features=None, *, up=None, subdivisions=2, refinements=3, most_frames=16, most_views=3,
-                 lowest_elevation=5.0, highest_elevation=50.0, threads=None, visitor=None) -> Views:
+                 lowest_elevation=5.0, highest_elevation=50.0, visitor, **options) -> Views:
     """Chooses where to look at an animation from so that its features are seen while they last, as the program
     ``detect_features`` does with ``--views``; without features, by the entropy of what is seen of the triangles
     (Vázquez et al. 2001). The camera follows the body and stands upright.
@@ -86,7 +86,7 @@ def select_views(animation, features=None, *, up=None, subdivisions=2, refinemen
         if len(up) != 3:
             raise OptionError(f"up: 3 coordinates are expected, not {len(up)}")
     found = _core.select_views(animation._data, chosen, up, subdivisions, refinements, most_frames, most_views,
-                               lowest_elevation, highest_elevation, arguments(threads=threads), visitor)
+                               lowest_elevation, highest_elevation, arguments(**options), visitor)
     views = found["views"]
     return Views(views["direction"], views["azimuth"], views["elevation"], views["score"], views["covered"],
                  found["up"], found["frames"], found["directions"], found["scores"])

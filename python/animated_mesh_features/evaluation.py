@@ -12,7 +12,7 @@ Each figure has its chance level beside it, from `random_places()` or `shifted_i
 
 import json
 import os
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+from typing import Dict, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 
@@ -20,9 +20,9 @@ from . import _core
 from ._animation import Shape, _points
 from ._exceptions import InputError, OptionError
 
-__all__ = ["repeated_features", "paired_features", "shifted_in_time", "matching_errors", "feature_regions", "MapScores",
-           "map_scores", "bootstrap_interval", "random_places", "chance_level", "prominent_maxima", "Rig", "RigMatches",
-           "read_rig_events", "rig_matches"]
+__all__ = ["repeated_features", "paired_features", "shifted_in_time", "matching_errors", "feature_regions",
+           "MapScores", "map_scores", "Painting", "read_painting", "bootstrap_interval", "random_places",
+           "chance_level", "prominent_maxima", "Rig", "RigMatches", "read_rig_events", "rig_matches"]
 
 
 def _features(features):
@@ -117,9 +117,38 @@ class MapScores(NamedTuple):
     correlation: float  #: from -1 to 1
 
 
+class Painting(NamedTuple):
+    """What somebody painted on an animation."""
+
+    painter: str  #: who
+    strokes: List[Tuple[int, int, np.ndarray]]  #: first frame, last frame (included), vertices
+    vertices: int  #: of the animation, their number
+    frames: int  #: their number
+    frame_duration: float  #: seconds
+
+    def marks(self) -> np.ndarray:
+        """N x F of float32: 1 where and while something is painted. The mean of several painters' is what `map_scores()`
+        takes."""
+        result = np.zeros((self.vertices, self.frames), dtype=np.float32)
+        for first, last, vertices in self.strokes:
+            result[vertices, first:last + 1] = 1
+        return result
+
+
+def read_painting(path) -> Painting:
+    """Reads what somebody painted on an animation, as the page of ``detect_features --html`` saves it (JSON).
+
+    Raises
+    ------
+    InputError
+        if it is no such file. The message names the member, as ``strokes[3].vertices[0]``.
+    """
+    return Painting(**_core.read_painting(os.fsdecode(path)))
+
+
 def map_scores(map, marks, areas) -> MapScores:
-    """Compares a map (N x F) with marks (N x F, from 0 to 1: which share of people marked a vertex in a frame). Each
-    vertex counts by its area (N), see `Shape.areas`, each frame the same."""
+    """Compares a map (N x F) with marks (N x F, from 0 to 1: which share of people marked a vertex in a frame, see
+    `read_painting()`). Each vertex counts by its area (N), see `Shape.areas`, each frame the same."""
     return MapScores(*_core.map_scores(map, marks, areas))
 
 
@@ -142,7 +171,7 @@ def chance_level(features, number_of_vertices, duration, figure, *, draws=20, se
     by chance. `figure` returns a number or an array."""
     features = _features(features)
     vertices, times = random_places(len(features), number_of_vertices, duration, draws=draws, seed=seed)
-    total: Any = None
+    total = None
     for vertex, time in zip(vertices, times):
         moved = features.copy()
         moved["vertex"], moved["time"] = vertex, time

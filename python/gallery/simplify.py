@@ -8,19 +8,13 @@
 
     python3 simplify.py [OUTPUT.obj] [MESH CACHE]
 
-Without files, a tube that bends. Writes the coarsest level at rest.
+Without files, a tube that bends. Writes the coarsest level, OUTPUT.obj and OUTPUT.pc2.
 """
 
 import sys
 
 import animated_mesh_features as amf
 from tube import bending_tube
-
-
-def write_obj(path, vertices, faces):
-    with open(path, "w", encoding="ascii") as file:
-        file.writelines("v {:.7g} {:.7g} {:.7g}\n".format(*v) for v in vertices)
-        file.writelines("f {} {} {}\n".format(*(f + 1)) for f in faces)
 
 
 def main(path="coarse.obj", *files):
@@ -30,10 +24,11 @@ def main(path="coarse.obj", *files):
     simplified = amf.simplify(animation, lods=(0.5, 0.25, 0.1), features=found, guidance=4)
     print(simplified)
     coarse = simplified.levels[-1]
-    write_obj(path, coarse.vertices, coarse.faces)
     # Each vertex follows a few of the original: in this animation and in any other of the same mesh.
     # scipy.sparse.csr_matrix((coarse.data, coarse.indices, coarse.indptr), coarse.shape) @ frame
     positions = coarse.positions(animation)
+    amf.write_animation(path, path.replace(".obj", ".pc2"), positions, coarse.faces, rest=coarse.vertices,
+                        fps=animation.fps)
     print("positions:", " x ".join(map(str, positions.shape)), "written:", path)
     return positions
 

@@ -21,6 +21,7 @@ void bind_detection(pybind11::module_& module);
 void bind_evaluation(pybind11::module_& module);
 void bind_comparison(pybind11::module_& module);
 void bind_simplification(pybind11::module_& module);
+void bind_writing(pybind11::module_& module);
 void bind_views(pybind11::module_& module);
 
 } // namespace Python_module

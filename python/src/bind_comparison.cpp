@@ -23,7 +23,6 @@
 #include <CGAL/Animated_mesh_features/Descriptors/match_features.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
-#include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
 
 #include <CGAL/tags.h>
 
@@ -66,11 +65,11 @@ struct Alignment
   AMF::Event_alignment events;
 };
 
-// Of each feature a task, of which the callable is told.
-class Feature_loop
+// Tasks, such as one for each feature, of which the callable is told.
+class Told_loop
 {
 public:
-  Feature_loop(Python_monitor& monitor, const char* stage)
+  Told_loop(Python_monitor& monitor, const char* stage)
     : m_stage(monitor, stage)
   {}
 
@@ -85,6 +84,15 @@ public:
 private:
   Named_stage m_stage;
 };
+
+// Computing that is no loop: the callable is asked in its middle.
+template <class Task>
+void run_stage(Python_monitor& monitor, const char* name, const Task& task)
+{
+  Named_stage stage(monitor, name);
+  const AMF::Task_loop<CGAL::Sequential_tag, Named_stage> loop(stage, AMF::Stage::EXTREMA);
+  loop(1, [&](std::size_t) { task(); });
+}
 
 const Programs::Values& deformation_of(const Detection_data& detection)
 {
@@ -120,7 +128,7 @@ py::array_t<float> descriptors(const Detection_data& detection, const Feature_ar
     const Programs::Thread_limit limit(o.run.threads);
     return with_descriptor(o.comparison, [&](const auto& descriptor) {
       return AMF::describe_features(detection.shape().shape(), deformation_of(detection), detection.frame_duration(),
-                                    points, descriptor, Feature_loop(monitor, "descriptors"));
+                                    points, descriptor, Told_loop(monitor, "descriptors"));
     });
   }));
 }
@@ -136,7 +144,7 @@ std::shared_ptr<Signature> signature(const Detection_data& detection, const Feat
     return with_descriptor(o.comparison, [&](const auto& descriptor) {
       return std::make_shared<Signature>(
           AMF::animation_signature(detection.shape().shape(), deformation_of(detection), detection.frame_duration(),
-                                   points, o.comparison.activity, descriptor, Feature_loop(monitor, "descriptors")));
+                                   points, o.comparison.activity, descriptor, Told_loop(monitor, "descriptors")));
     });
   });
 }
@@ -168,22 +176,29 @@ py::array_t<std::int64_t> array_of_ranks(const std::vector<std::size_t>& ranks)
   return result;
 }
 
-py::array_t<Match_record> match(const Signature& a, const Signature& b, const Arguments& arguments)
+py::array_t<Match_record> match(const Signature& a, const Signature& b, const Arguments& arguments, py::object visitor)
 {
   std::vector<AMF::Feature_match> matches;
-  {
-    const py::gil_scoped_release release;
-    matches = AMF::match_features(a.events, b.events, options_of(arguments, COMPARISON).comparison.matching);
-  }
+  Python_monitor monitor(std::move(visitor));
+  monitor.run([&] {
+    const Options o = options_of(arguments, COMPARISON);
+    run_stage(monitor, "matching", [&] { matches = AMF::match_features(a.events, b.events, o.comparison.matching); });
+  });
   return array_of_matches(matches);
 }
 
-std::shared_ptr<Alignment> align(const Signature& a, const Signature& b, const Arguments& arguments)
+std::shared_ptr<Alignment> align(const Signature& a, const Signature& b, const Arguments& arguments, py::object visitor)
 {
-  const py::gil_scoped_release release;
-  const Options o = options_of(arguments, COMPARISON);
-  return std::make_shared<Alignment>(Alignment{AMF::align_animations(a.activity, b.activity, o.comparison.alignment),
-                                               AMF::align_events(a.events, b.events)});
+  const auto result = std::make_shared<Alignment>();
+  Python_monitor monitor(std::move(visitor));
+  monitor.run([&] {
+    const Options o = options_of(arguments, COMPARISON);
+    run_stage(monitor, "alignment", [&] {
+      result->times = AMF::align_animations(a.activity, b.activity, o.comparison.alignment);
+      result->events = AMF::align_events(a.events, b.events);
+    });
+  });
+  return result;
 }
 
 py::array_t<double> distances(const std::vector<std::shared_ptr<Signature>>& signatures, const Arguments& arguments,
@@ -195,13 +210,14 @@ py::array_t<double> distances(const std::vector<std::shared_ptr<Signature>>& sig
   monitor.run([&] {
     const Options o = options_of(arguments, COMPARISON);
     const Programs::Thread_limit limit(o.run.threads);
-    for (std::size_t i = 0; i < n; ++i) {
-      AMF::parallel_for<CGAL::Parallel_if_available_tag>(i + 1, n, [&](std::size_t j) {
-        all[i * n + j] = all[j * n + i] =
-            AMF::animation_distance(signatures[i]->activity, signatures[j]->activity, o.comparison.distance);
-      });
-      if (!monitor.progress("distances", double(i + 1) / double(n))) throw AMF::Cancelled();
-    }
+    std::vector<std::pair<std::size_t, std::size_t>> pairs;
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = i + 1; j < n; ++j) pairs.emplace_back(i, j);
+    Told_loop(monitor, "distances")(pairs.size(), [&](std::size_t k) {
+      const auto [i, j] = pairs[k];
+      all[i * n + j] = all[j * n + i] =
+          AMF::animation_distance(signatures[i]->activity, signatures[j]->activity, o.comparison.distance);
+    });
   });
   return py::array_t<double>({py::ssize_t(n), py::ssize_t(n)}, all.data());
 }

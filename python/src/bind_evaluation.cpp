@@ -21,6 +21,7 @@
 #include <CGAL/Animated_mesh_features/Evaluation/paired_features.h>
 #include <CGAL/Animated_mesh_features/Evaluation/prominent_maxima.h>
 #include <CGAL/Animated_mesh_features/Evaluation/repeated_features.h>
+#include <CGAL/Animated_mesh_features/IO/read_painting.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <pybind11/numpy.h>
@@ -202,6 +203,24 @@ py::tuple rig(const Points_array& points, double size, const std::vector<std::ve
   return py::make_tuple(array_of(matches.found), array_of(matches.at_event), matches.of_joint, recalled);
 }
 
+py::dict painting(const std::string& path)
+{
+  const AMF::IO::Painting_file_data data = AMF::IO::read_painting(path);
+  py::list strokes;
+  for (const AMF::IO::Painting_file_data::Stroke& s : data.strokes) {
+    py::array_t<std::int64_t> vertices{py::ssize_t(s.vertices.size())};
+    std::copy(s.vertices.begin(), s.vertices.end(), vertices.mutable_data());
+    strokes.append(py::make_tuple(s.first_frame, s.last_frame, vertices));
+  }
+  py::dict result;
+  result["painter"] = data.painter;
+  result["strokes"] = strokes;
+  result["vertices"] = data.vertices;
+  result["frames"] = data.frames;
+  result["frame_duration"] = data.frame_duration;
+  return result;
+}
+
 } // namespace
 
 void bind_evaluation(py::module_& m)
@@ -213,6 +232,7 @@ void bind_evaluation(py::module_& m)
   m.def("map_scores", &scores);
   m.def("bootstrap_interval", &interval);
   m.def("random_places", &random_places);
+  m.def("read_painting", &painting);
   m.def("prominent_maxima", &maxima);
   py::class_<AMF::Rig_options>(m, "RigOptions")
       .def(py::init<>())

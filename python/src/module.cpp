@@ -35,5 +35,6 @@ PYBIND11_MODULE(_core, m)
   bind_evaluation(m);
   bind_comparison(m);
   bind_simplification(m);
+  bind_writing(m);
   bind_views(m);
 }

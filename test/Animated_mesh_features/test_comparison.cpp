@@ -18,14 +18,17 @@
 #include <CGAL/Animated_mesh_features/Descriptors/describe_features.h>
 #include <CGAL/Animated_mesh_features/Descriptors/match_features.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace Amf = CGAL::Animated_mesh_features;
@@ -451,6 +454,33 @@ void test_alignment()
                "activities");
 }
 
+// Each asks in its middle, whoever runs it as a task, whether it is still wanted.
+void test_cancelled()
+{
+  const Amf::Activity a = motion(109, 1. / 30, [](double t) { return t; });
+  Random random(5);
+  Points places;
+  std::vector<double> times, sigmas(30, 0.1);
+  for (std::size_t i = 0; i < sigmas.size(); ++i) {
+    places.push_back(random.vector());
+    times.push_back(random(0, 3));
+  }
+  const Amf::Described_features events = body(places, times, sigmas);
+  const std::vector<std::pair<int, std::function<void()>>> computations = {
+      {400, [&] { Amf::align_animations(a, a); }}, // both passes over the samples, of surrogates, too
+      {200, [&] { Amf::animation_distance(a, a); }},
+      {150, [&] { Amf::match_features(events, events); }}, // features, candidates, iterations
+      {30, [&] { Amf::align_events(events, events); }}};
+  for (const auto& [patience, compute] : computations) {
+    int asked = 0;
+    const int most = patience;
+    const auto goes_on = [&] { return ++asked < most; };
+    const Amf::internal::Cancellation_scope scope(goes_on);
+    CHECK_THROWS(Amf::Cancelled, compute(), "");
+    CHECK(asked == most);
+  }
+}
+
 void test_distance()
 {
   const double frame = 1. / 30;
@@ -580,6 +610,7 @@ int main()
   test_landmarks();
   test_matching();
   test_alignment();
+  test_cancelled();
   test_distance();
   test_cycles();
   test_events();

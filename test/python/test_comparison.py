@@ -7,6 +7,8 @@
 """Descriptors, matches, alignment and distances: those of the program, and what must not change them."""
 
 import json
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -153,6 +155,52 @@ def test_what_cannot_be_compared(pair, signatures):
         amf.signature(a, bad)
     with pytest.raises(amf.InputError, match="square"):
         amf.classical_scaling([[0, 1]])
-    for stage in ("descriptors", "distances"):
-        with pytest.raises(amf.Cancelled):
-            amf.distance_matrix([a, x], visitor=lambda s, _: s != stage)
+
+
+def test_cancellation(pair, signatures):
+    """of whatever compares, in each of its stages"""
+    _, a, _ = pair
+    x, y = signatures
+    for compare, last in ((amf.match_features, "matching"), (amf.align, "alignment"), (amf.event_differences, "alignment"),
+                          (amf.animation_distance, "distances"), (lambda *c, **k: amf.distance_matrix(c, **k), "distances")):
+        told = []
+        compare(a, y, threads=1, visitor=lambda *stage: told.append(stage))
+        assert {s for s, _ in told} == {"descriptors", last} and told[-1] == (last, 1)
+        for stage in ("descriptors", last):
+            with pytest.raises(amf.Cancelled):
+                compare(a, x, visitor=lambda s, _: s != stage)
+        with pytest.raises(ZeroDivisionError):
+            compare(x, y, visitor=lambda *_: 1 / 0)
+
+
+def test_ctrl_c():
+    """KeyboardInterrupt from the middle of an alignment and of a matching that take seconds"""
+    code = """
+import os, signal, threading, time
+import numpy as np
+import animated_mesh_features as amf
+from animated_mesh_features import _core
+n = 1000
+features = np.zeros(n, amf.feature_dtype)
+features["rest_position"] = np.random.default_rng(1).normal(size=(n, 3))
+features["time"], features["sigma"], features["tau"], features["amplitude"] = np.linspace(0, 130, n), 0.1, 0.1, 1
+x = amf.Signature(_core.signature_of_features(features, n, 4000, 1 / 30, 3.0, []))
+signal.signal(signal.SIGINT, signal.default_int_handler)  # what runs in the background may ignore it
+
+def interrupt():
+    time.sleep(0.1)
+    os.kill(os.getpid(), signal.SIGINT)
+
+for compute in (amf.align, amf.match_features):
+    told = []
+    def visitor(stage, fraction):
+        if not told:
+            threading.Thread(target=interrupt).start()
+        told.append(fraction)
+    try:
+        compute(x, x, visitor=visitor, **({"matched": n} if compute is amf.match_features else {}))
+    except KeyboardInterrupt:
+        print("interrupted", max(told))
+"""
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)
+    assert done.stdout == "interrupted 0.0\n" * 2, done.stderr

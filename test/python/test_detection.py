@@ -8,14 +8,17 @@
 
 import ast
 import inspect
+import os
 import pathlib
 import re
 import subprocess
+import sys
 
 import numpy as np
 import pytest
 
 import animated_mesh_features as amf
+from animated_mesh_features import _options
 from conftest import assert_same_features, program
 
 
@@ -240,11 +243,29 @@ def test_documentation():
         assert not re.search(r"^ *\{\w+\}$", getattr(amf, name).__doc__ or "", re.MULTILINE), name
 
 
+def test_shared_keywords():
+    """the same name, default and type wherever an option is taken, and in the order of the one table"""
+    table = {name: default for group in _options.GROUPS.values() for name, default in group.items()}
+    for name, function in [(n, getattr(amf, n)) for n in amf.__all__]:
+        if not inspect.isfunction(function) and function is not amf.Animation:
+            continue
+        parameters = inspect.signature(function).parameters
+        for p in parameters.values():
+            # a field of one's own has no unit that it could be shifted in
+            if p.name in table and p.kind is p.KEYWORD_ONLY and (name, p.name) != ("detect_in_field", "baseline"):
+                assert p.default == table[p.name], (name, p.name)
+    assert str(inspect.signature(amf.distance_matrix)).startswith(
+        "(animations, *, distance_place_weight=0.0, distance_recurrence_weight=1.0, cycle_weight=0.1, threads=None, "
+        "visitor=None)")
+    with pytest.raises(TypeError, match=r"align\(\) got an unexpected keyword argument 'alpha'"):
+        amf.align(None, None, alpha=1)
+
+
 def test_type_stubs():
-    """tell the same arguments as the functions have"""
+    """tell the same arguments as the functions have, of the same type wherever there are several that take them"""
     folder = pathlib.Path(amf.__file__).parent
     assert (folder / "py.typed").exists()
-    known = 0
+    known, types = 0, {}
     for stub in ("_animation", "_detection", "_comparison", "_simplification", "_views"):
         for node in ast.parse((folder / f"{stub}.pyi").read_text(encoding="utf-8")).body:
             own = getattr(amf, node.name, None) if isinstance(node, ast.ClassDef) else amf
@@ -253,10 +274,45 @@ def test_type_stubs():
                 if not inspect.isfunction(function):
                     continue
                 a = f.args
-                names = [x.arg for x in a.args] + ([a.vararg.arg] if a.vararg else []) + [x.arg for x in a.kwonlyargs]
-                assert names == list(inspect.signature(function).parameters), f.name
+                for x in a.kwonlyargs:
+                    types.setdefault(x.arg, {})[f.name] = ast.unparse(x.annotation)
+                parameters = inspect.signature(function).parameters.values()
+                assert [x.arg for x in a.args] == [p.name for p in parameters
+                                                   if p.kind is p.POSITIONAL_OR_KEYWORD], f.name
+                assert {x.arg for x in a.kwonlyargs} == {p.name for p in parameters if p.kind is p.KEYWORD_ONLY}, f.name
                 known += 1
-    assert known >= 10
+    assert known >= 20
+    del types["rest"]["read_animation"], types["frames"]  # files, and a number of frames
+    for name, annotations in types.items():
+        if name in _options.GROUPS["arrays"] or "strain" in annotations or "threads" == name:
+            assert len(set(annotations.values())) == 1, (name, annotations)
+
+
+def test_types(tmp_path):
+    """as mypy sees them, where it is here: of all that is public, and of the thirty-second example"""
+    pytest.importorskip("mypy.stubtest", reason="mypy is not here (Debian: python3-mypy)")
+    environment = dict(os.environ, PYTHONPATH=os.pathsep.join([str(pathlib.Path(amf.__file__).parents[1]), *sys.path]),
+                       MYPYPATH=str(pathlib.Path(amf.__file__).parents[1]))
+    done = subprocess.run([sys.executable, "-m", "mypy.stubtest", "animated_mesh_features", "--concise",
+                           "--ignore-missing-stub"], cwd=tmp_path, env=environment, capture_output=True, text=True)
+    wrong = [line for line in done.stdout.splitlines() if not line.startswith("animated_mesh_features._")
+             and not line.endswith(".NamedTuple is not a type")]
+    assert not wrong and not done.stderr, done.stderr
+    (tmp_path / "example.py").write_text("""
+import numpy as np
+import animated_mesh_features as amf
+
+def example(frames: np.ndarray, faces: np.ndarray) -> float:
+    r = amf.detect(frames, faces, frame_duration=1/30, rest="average", sigma_range=("3%", None), visitor=print)
+    r.write("features.json", html="view.html")
+    t = amf.align(r, r, max_slope=2).to_b(0.5)
+    matrix: np.ndarray = amf.distance_matrix([r, r])
+    level = amf.simplify(frames, faces, ratio=0.1).levels[0]
+    return t + float(matrix[0, 1]) + len(level.positions(frames)) + len(amf.select_views(r).azimuth)
+""", encoding="utf-8")
+    done = subprocess.run([sys.executable, "-m", "mypy", "--strict", "--allow-any-generics", "example.py"], cwd=tmp_path,
+                          env=environment, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout
 
 
 def test_welded_vertices(cylinder):

@@ -98,6 +98,26 @@ def _at(features, vertex):
     return moved
 
 
+def test_painting(result, tmp_path):
+    """what people painted, as marks for the scores"""
+    n, f = result.deformation.shape
+    path = tmp_path / "anna.json"
+    data = {"format": "animated-mesh-features-painting", "version": 1, "painter": "Anna",
+            "animation": {"vertices": n, "frames": f, "frame_duration": 0.05},
+            "strokes": [{"frame": 4, "frames": [3, 6], "vertices": [7, 2]}, {"frames": [0, 0], "vertices": [9]}]}
+    path.write_text(json.dumps(data))
+    painting = ev.read_painting(path)
+    assert painting.painter == "Anna" and painting.vertices == n and painting.frame_duration == 0.05
+    marks = painting.marks()
+    assert marks.shape == (n, f) and marks.sum() == 9 and marks[[2, 7], 3:7].all() and marks[9, 0] == 1
+    scores = ev.map_scores(marks, marks, result.animation.areas)
+    assert scores.auc == 1 and scores.correlation == pytest.approx(1)
+    data["strokes"][0]["vertices"][1] = n
+    path.write_text(json.dumps(data))
+    with pytest.raises(amf.InputError, match=r"anna.json.*strokes\[0\].vertices\[1\]"):
+        ev.read_painting(path)
+
+
 def test_intervals_and_chance(result):
     sample = np.random.default_rng(2).normal(3, 1, 400)
     low, high = ev.bootstrap_interval(sample)

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import animated_mesh_features as amf
-from conftest import run
+from conftest import assert_same_features, run
 
 
 @pytest.fixture(scope="module")
@@ -89,6 +89,49 @@ def test_what_cannot_be_written_or_read(cylinder, result, tmp_path):
     for inputs in ((), ("nowhere.obj", "nowhere.pc2"), (cylinder.mesh,)):
         with pytest.raises(amf.Error):
             amf.read_animation(*inputs)
+
+
+@pytest.mark.parametrize("cache", ["w.pc2", "w.mdd"])
+def test_animations_are_written(cylinder, result, found_by_program, tmp_path, cache):
+    """what is written is read again, by the module and by the program: the same numbers, in single precision"""
+    files = tmp_path / "w.obj", tmp_path / cache
+    for frames in (cylinder.frames, cylinder.frames.astype(float), np.asfortranarray(cylinder.frames),
+                   list(cylinder.frames)):
+        amf.write_animation(*files, frames, cylinder.faces, rest=cylinder.rest, fps=20)
+        a = amf.read_animation(*files, rest="average", **({"fps": 20} if cache == "w.pc2" else {}))
+        assert np.array_equal(a.frames, cylinder.frames) and a.fps == pytest.approx(20)
+    mesh = amf.read_animation(*files, rest="mesh", fps=20)
+    assert np.array_equal(mesh.vertices, cylinder.rest)
+    assert np.array_equal(mesh.faces, result.animation.faces)
+    run("DETECT_FEATURES", *files, "--fps", 20, "--rest", "average", "-q", "-o", tmp_path / "f.json")
+    expected = found_by_program("--rest", "average")["features"]
+    assert_same_features(amf.read_features(tmp_path / "f.json").features, [dict(f) for f in expected])
+    # an animation, with its own shape at rest
+    amf.write_animation(tmp_path / "a.obj", tmp_path / cache, result.animation)
+    again = amf.read_animation(tmp_path / "a.obj", tmp_path / cache, rest="mesh")
+    assert np.array_equal(again.frames, cylinder.frames)
+    assert np.array_equal(again.vertices, result.animation.vertices)
+
+
+def test_what_is_no_animation_is_not_written(cylinder, tmp_path):
+    files = tmp_path / "w.obj", tmp_path / "w.pc2"
+    large = cylinder.frames.astype(float)
+    large[3, 7, 1] = 1e39
+    bad = cylinder.faces.copy()
+    bad[2, 1] = 10 ** 6
+    for error, match, call in (
+            (amf.InputError, "frame 3: the position of vertex 7", lambda: amf.write_animation(*files, large, cylinder.faces)),
+            (amf.InputError, "face 2 has vertex 1000000", lambda: amf.write_animation(*files, cylinder.frames, bad)),
+            (amf.InputError, "frame 0: has 494 vertices, the shape at rest 9",
+             lambda: amf.write_animation(*files, cylinder.frames, [[0, 1, 2]], rest=cylinder.rest[:9])),
+            (amf.OptionError, "w.npy", lambda: amf.write_animation(files[0], tmp_path / "w.npy", cylinder.frames, bad)),
+            (amf.OptionError, "w.ply", lambda: amf.write_animation(tmp_path / "w.ply", files[1], cylinder.frames, bad)),
+            (amf.OutputError, "nowhere",
+             lambda: amf.write_animation(files[0], tmp_path / "nowhere" / "w.pc2", cylinder.frames, cylinder.faces)),
+            (TypeError, "faces are needed", lambda: amf.write_animation(*files, cylinder.frames))):
+        with pytest.raises(error, match=match):
+            call()
+        assert not list(tmp_path.iterdir())
 
 
 def test_hdf5_and_models_say_what_is_missing(tmp_path):

@@ -59,3 +59,26 @@ def test_notebook(tmp_path):
     assert len(cells) > 5 and not any(c["outputs"] for c in notebook["cells"] if c["cell_type"] == "code")
     (tmp_path / "tour.py").write_text("\n\n".join(cells), encoding="utf-8")
     assert "strength" in run([tmp_path / "tour.py"], tmp_path)
+
+
+def test_notebook_in_jupyter(tmp_path, monkeypatch):
+    """where Jupyter is here, the notebook runs as one"""
+    pytest.importorskip("matplotlib")
+    why = "Jupyter is not here (Debian: python3-nbclient, python3-ipykernel); the notebook ran as a plain script"
+    nbclient = pytest.importorskip("nbclient", reason=why)
+    pytest.importorskip("ipykernel", reason=why)
+    nbformat = pytest.importorskip("nbformat", reason=why)
+    monkeypatch.setenv("PYTHONPATH", os.pathsep.join([str(GALLERY), *sys.path]))
+    monkeypatch.setenv("MPLBACKEND", "module://matplotlib_inline.backend_inline")
+    monkeypatch.setenv("JUPYTER_DATA_DIR", str(tmp_path))  # of this Python, whatever kernels the user has
+    kernel = tmp_path / "kernels" / "python3"
+    kernel.mkdir(parents=True)
+    (kernel / "kernel.json").write_text(json.dumps(
+        {"argv": [sys.executable, "-m", "ipykernel_launcher", "-f", "{connection_file}"], "display_name": "Python",
+         "language": "python"}))
+    notebook = nbformat.read(GALLERY / "tour.ipynb", as_version=4)
+    nbclient.NotebookClient(notebook, timeout=120, kernel_name="python3",
+                            resources={"metadata": {"path": str(tmp_path)}}).execute()
+    outputs = [o for c in notebook.cells if c.cell_type == "code" for o in c.outputs]
+    assert any("image/png" in o.get("data", {}) for o in outputs)
+    assert any("Detection of" in o.get("data", {}).get("text/plain", "") for o in outputs)

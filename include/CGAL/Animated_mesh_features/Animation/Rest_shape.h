@@ -10,10 +10,8 @@
 #include <CGAL/Animated_mesh_features/Numerics/Compressed_rows.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 #include <CGAL/Animated_mesh_features/Animation/internal/rows_of_vertices.h>
+#include <CGAL/Animated_mesh_features/Animation/internal/surface_size.h>
 
-#include <CGAL/Min_sphere_of_points_d_traits_3.h>
-#include <CGAL/Min_sphere_of_spheres_d.h>
-#include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/iterator.h>
 
@@ -22,7 +20,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -155,15 +152,15 @@ public:
   const std::vector<Index>& measured_vertices() const { return m_measured; }
 
   /// the mean of the lengths of the edges of measured vertices.
-  double mean_edge_length() const { return m_mean_edge_length; }
+  double mean_edge_length() const { return m_size.mean_edge_length; }
 
   /// the diagonal of the axis-parallel bounding box of all measured vertices (length).
-  double bounding_box_diagonal() const { return m_diagonal; }
+  double bounding_box_diagonal() const { return m_size.diagonal; }
 
   /// the diameter of the smallest sphere around all measured vertices: the size of the shape that default lengths are
   /// fractions of. Other than the diagonal of the axis-parallel bounding box, which it equals for a box and else is 85
   /// to 95 % of, it does not change when the shape is turned.
-  double diameter() const { return m_diameter; }
+  double diameter() const { return m_size.diameter; }
 
   /// moves the vertices, `N` points, and measures the shape anew. Linear time.
   void set_points(std::vector<Point> points)
@@ -264,35 +261,7 @@ private:
       const Triangle& t = m_triangles[i];
       m_areas[i] = (m_points[t[1]] - m_points[t[0]]).cross(m_points[t[2]] - m_points[t[0]]).norm() / 2;
     }
-    measure_size();
-  }
-
-  void measure_size()
-  {
-    std::vector<char> is_measured(number_of_vertices(), 0);
-    for (Index v : m_measured) is_measured[v] = 1;
-    double sum = 0;
-    std::size_t edges = 0;
-    for (std::size_t i = 0; i < m_edges.size(); ++i) {
-      if (is_measured[m_edges[i].source] == 0) continue;
-      sum += m_lengths[i];
-      ++edges;
-    }
-    m_mean_edge_length = sum / double(edges);
-    Point low = m_points[m_measured.front()], high = low;
-    typedef CGAL::Simple_cartesian<double> Kernel;
-    std::vector<Kernel::Point_3> points;
-    points.reserve(m_measured.size());
-    for (Index v : m_measured) {
-      const Point& p = m_points[v];
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-      points.emplace_back(p[0], p[1], p[2]);
-    }
-    m_diagonal = (high - low).norm();
-    CGAL::Min_sphere_of_spheres_d<CGAL::Min_sphere_of_points_d_traits_3<Kernel, double>> sphere(points.begin(),
-                                                                                                points.end());
-    m_diameter = 2 * CGAL::to_double(sphere.radius());
+    m_size = internal::surface_size(m_points, m_edges, m_lengths, m_measured);
   }
 
   std::vector<Triangle> m_triangles;
@@ -303,9 +272,7 @@ private:
   std::vector<Point> m_points;
   std::vector<Index> m_measured;
   std::vector<double> m_areas, m_lengths;
-  double m_mean_edge_length = 0;
-  double m_diagonal = 0;
-  double m_diameter = 0;
+  internal::Surface_size m_size;
 };
 
 } // namespace Animated_mesh_features

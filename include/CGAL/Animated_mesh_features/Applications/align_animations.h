@@ -40,7 +40,8 @@ times: 0 if the alignment costs no less than those, as it does for motions that 
 
 \param a, b the activities, with the same time between samples and the same lags.
 \param options weights and limits.
-\throw Option_error if an option is out of its range, or the activities do not go together.
+\throw Option_error if an option is out of its range, or the activities do not go together; Cancelled if it is called in a
+  task of a `Task_loop`, whose visitor is asked every tenth of a second, and has had enough.
 */
 inline Time_alignment align_animations(const Activity& a, const Activity& b,
                                        const Alignment_options& options = Alignment_options())

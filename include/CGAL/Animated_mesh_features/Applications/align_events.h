@@ -11,6 +11,7 @@
 #include <CGAL/Animated_mesh_features/Descriptors/Matching_options.h>
 #include <CGAL/Animated_mesh_features/Descriptors/feature_difference.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -66,7 +67,7 @@ affine gaps (Gotoh \cgalCite{gotoh1982}). Events stand in the order of time. Wha
 
 \param a, b the events.
 \param options costs.
-\throw Option_error if an option is out of its range.
+\throw Option_error if an option is out of its range; Cancelled as `align_animations()`.
 */
 Event_alignment align_events(const Described_features& a, const Described_features& b,
                              const Event_alignment_options& options = Event_alignment_options());
@@ -123,7 +124,8 @@ inline Event_alignment align_events(const Described_features& a, const Described
   std::vector<double> differences(n * m);
   Event_alignment result;
   std::size_t end_i = 0, end_j = 0;
-  for (std::size_t i = 1; i <= n; ++i)
+  for (std::size_t i = 1; i <= n; ++i) {
+    internal::cancellation_point();
     for (std::size_t j = 1; j <= m; ++j) {
       const std::size_t at = i * width + j, diagonal = at - width - 1;
       const auto skip = [&](State s, std::size_t before) {
@@ -150,6 +152,7 @@ inline Event_alignment align_events(const Described_features& a, const Described
         end_j = j;
       }
     }
+  }
   std::vector<char> of_a(n, 0), of_b(m, 0);
   for (unsigned char state = result.score > 0 ? PAIR : START; state != START;) {
     const unsigned char next = from[state][end_i * width + end_j];

@@ -54,7 +54,7 @@ themselves:
 
 Symmetric; 0 for the same motion on the same body, whatever its mesh and frame rate, up to what these change the field.
 
-\throw Option_error as `align_animations()`.
+\throw Option_error, Cancelled as `align_animations()`.
 */
 inline double animation_distance(const Activity& a, const Activity& b,
                                  const Distance_options& options = Distance_options())

@@ -36,7 +36,8 @@ pairs features of two animations that show the same event, without any correspon
 `O(C^2)` time and memory for `C` candidates, of which there are at most `2 top candidates`.
 
 \returns pairs, the most confident ones first. None, if either side has no features.
-\throw Option_error if an option is out of its range.
+\throw Option_error if an option is out of its range; Cancelled if it is called in a task of a `Task_loop`, whose visitor is
+  asked every tenth of a second, and has had enough.
 */
 inline std::vector<Feature_match> match_features(const Described_features& a, const Described_features& b,
                                                  const Matching_options& options = Matching_options())

@@ -7,6 +7,8 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_INTERNAL_TIME_WARPING_H
 #define CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_INTERNAL_TIME_WARPING_H
 
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -37,8 +39,10 @@ public:
     , m_costs(n * m)
     , m_steps(n * m, 0)
   {
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < n; ++i) {
+      cancellation_point();
       for (std::size_t j = 0; j < m; ++j) m_costs[i * m + j] = float(cost(i, j));
+    }
     accumulate(n, max_slope);
     finish(n);
   }
@@ -62,6 +66,7 @@ private:
     m_last_column.assign(n, infinity);
     double start = 0; // of this row in the first column
     for (std::size_t i = 0; i < n; ++i) {
+      cancellation_point();
       std::vector<double>& row = rows[i % kept];
       const auto above = [&](std::size_t q) -> const std::vector<double>& { return rows[(i - q) % kept]; };
       start += (i == 0 ? 2 : m_end_weight) * local(i, 0);

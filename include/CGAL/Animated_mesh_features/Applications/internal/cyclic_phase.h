@@ -9,6 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Applications/Activity.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/Activity_cost.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,8 @@ inline double cyclic_phase(const Activity& a, const Activity& b, const Activity_
   const std::size_t shifts = 64;
   std::vector<double> sums(shifts, 0);
   const double periods_of_b = std::floor(b.duration() / b.cycle.period);
-  for (std::size_t k = 0; k < shifts; ++k)
+  for (std::size_t k = 0; k < shifts; ++k) {
+    cancellation_point();
     for (std::size_t i = 0; i < a.samples; ++i) {
       const double phase = double(i) * a.sample_duration / a.cycle.period + double(k) / double(shifts);
       // of all samples of b at this phase the one in the same cycle, or the last one
@@ -34,6 +36,7 @@ inline double cyclic_phase(const Activity& a, const Activity& b, const Activity_
       const double at = (cycle + phase - std::floor(phase)) * b.cycle.period / b.sample_duration;
       sums[k] += cost(i, (std::min)(std::size_t(std::lround(at)), b.samples - 1));
     }
+  }
   const std::size_t best = std::size_t(std::min_element(sums.begin(), sums.end()) - sums.begin());
   const double before = sums[(best + shifts - 1) % shifts], after = sums[(best + 1) % shifts];
   const double bend = before - 2 * sums[best] + after;

@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/Descriptors/Described_features.h>
 #include <CGAL/Animated_mesh_features/Descriptors/Matching_options.h>
 #include <CGAL/Animated_mesh_features/Descriptors/feature_difference.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -35,8 +36,10 @@ inline std::vector<Candidate_pair> candidate_pairs(const Described_features& a, 
   const std::vector<std::size_t> of_b = strongest_features(b.features, o.top);
   const std::size_t n = of_a.size(), m = of_b.size();
   std::vector<double> differences(n * m);
-  for (std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < n; ++i) {
+    cancellation_point();
     for (std::size_t j = 0; j < m; ++j) differences[i * m + j] = feature_difference(a, of_a[i], b, of_b[j], o);
+  }
 
   // how often a pair is among the nearest of either of its features, and how often it is the nearest
   std::vector<unsigned char> near(n * m, 0), nearest(n * m, 0);

@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/Descriptors/Described_features.h>
 #include <CGAL/Animated_mesh_features/Descriptors/Matching_options.h>
 #include <CGAL/Animated_mesh_features/Descriptors/internal/Candidate_pairs.h>
+#include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <Eigen/Core>
 
@@ -85,10 +86,12 @@ private:
     m_agreements.assign(n * n, 0);
     std::vector<double> roots(n);
     for (std::size_t c = 0; c < n; ++c) roots[c] = std::sqrt(likeness(m_candidates[c]));
-    for (std::size_t c = 0; c < n; ++c)
+    for (std::size_t c = 0; c < n; ++c) {
+      cancellation_point();
       for (std::size_t d = c + 1; d < n; ++d)
         m_agreements[c * n + d] = m_agreements[d * n + c] =
             float(agreement(m_candidates[c], m_candidates[d]) * roots[c] * roots[d]);
+    }
   }
 
   // The principal eigenvector, by power iteration: all entries are positive or zero, so it converges from ones.
@@ -99,6 +102,7 @@ private:
     m_weights.assign(n, 1);
     std::vector<double> next(n);
     for (int k = 0; k < iterations; ++k) {
+      cancellation_point();
       double squares = 0;
       for (std::size_t c = 0; c < n; ++c) {
         double sum = 0;
@@ -121,6 +125,7 @@ private:
     std::vector<char> is_open(n, 1);
     std::size_t next = seed;
     while (next < n) {
+      cancellation_point();
       set.push_back(next);
       for (std::size_t c = 0; c < n; ++c) {
         support[c] += double(m_agreements[next * n + c]);

@@ -13,17 +13,17 @@
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Any_visitor.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Stage.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Stage_scope.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Batch_search.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Difference_cascade.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Exhaustive_candidate_detector.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Extremum.h>
-#include <CGAL/Animated_mesh_features/Extrema/internal/Candidate_verifier.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_batch.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_cascade.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Level_weights.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Temporal_filter_traits.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Temporal_weights.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Time_axis.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/Vectorized_candidate_detector.h>
-#include <CGAL/Animated_mesh_features/Extrema/internal/join_equal_extrema.h>
 #include <CGAL/Animated_mesh_features/Animation/largest_value.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
 
@@ -213,8 +213,10 @@ private:
         const Stage_scope stage(visitor, Stage::EXTREMA);
         std::vector<Extremum> found;
         const auto loop = search_loop.part(i, batches);
-        search(batch, weights, make_detector(batch), loop.part(0, 2), temporal_weights, found);
-        if (joins_equal(m_search)) join(batch, weights, loop.part(1, 2), temporal_weights, found);
+        Batch_search<TemporalFilter, Search> search(m_shape, batch, weights, time_axis(), m_search, m_time_levels,
+                                                    temporal_weights);
+        search.find(make_detector(batch), loop.part(0, 2), found);
+        if (joins_equal(m_search)) search.join(loop.part(1, 2), found);
         extrema.insert(extrema.end(), std::make_move_iterator(found.begin()), std::make_move_iterator(found.end()));
       }
       // the next batch begins at batch.last
@@ -242,110 +244,6 @@ private:
     for (std::size_t v = 0; v < field.number_of_rows(); ++v)
       std::copy(field.row(v), field.row(v) + field.number_of_frames(), result.row(v));
     return result;
-  }
-
-  // Detects and verifies the candidates of some vertices at a time, which bounds their memory.
-  template <class Candidate_detector, class Loop>
-  void search(const Level_batch& batch,
-              const Level_weights& weights,
-              const Candidate_detector& detector,
-              const Loop& loop,
-              Temporal_weights<TemporalFilter>& temporal_weights,
-              std::vector<Extremum>& extrema)
-  {
-    constexpr std::size_t vertices_at_once = std::size_t(1) << 14;
-    const std::size_t n = m_shape.number_of_vertices(), parts = (n + vertices_at_once - 1) / vertices_at_once;
-    for (std::size_t part = 0; part < parts; ++part) {
-      const std::size_t first = part * vertices_at_once, last = (std::min)(n, first + vertices_at_once);
-      const auto part_loop = loop.part(part, parts);
-      std::vector<Candidate> candidates = detect_candidates(detector, first, last, part_loop.part(0, 2));
-      verify(batch, weights, candidates, part_loop.part(1, 2), temporal_weights, extrema);
-    }
-  }
-
-  template <class Candidate_detector, class Loop>
-  std::vector<Candidate> detect_candidates(const Candidate_detector& detector, std::size_t first_vertex,
-                                           std::size_t last_vertex, const Loop& loop) const
-  {
-    constexpr std::size_t vertices_per_task = 8;
-    std::vector<std::vector<Candidate>> detected((last_vertex - first_vertex + vertices_per_task - 1) /
-                                                 vertices_per_task); // in order, whichever thread finds them
-    loop(detected.size(), [&](std::size_t task) {
-      const std::size_t first = first_vertex + task * vertices_per_task;
-      detector(first, (std::min)(last_vertex, first + vertices_per_task), detected[task]);
-    });
-    std::vector<Candidate> all;
-    for (std::vector<Candidate>& p : detected) {
-      all.insert(all.end(), p.begin(), p.end());
-      std::vector<Candidate>().swap(p);
-    }
-    return all;
-  }
-
-  // Keeps the candidates that are extrema; time levels come in windows, as there are weights for one window at a time.
-  template <class Loop>
-  void verify(const Level_batch& batch, const Level_weights& weights, std::vector<Candidate>& candidates,
-              const Loop& loop, Temporal_weights<TemporalFilter>& temporal_weights, std::vector<Extremum>& extrema) const
-  {
-    constexpr std::size_t candidates_per_task = 64;
-    const std::size_t window = temporal_weights.window_size();
-    const std::size_t verified_at_once = window - (below + above + 2); // a window has a response on either side of them
-    const std::size_t first = below + 1, last = m_time_levels - above - 1;
-    const std::size_t windows = (last - first + verified_at_once - 1) / verified_at_once;
-    if (windows > 1)
-      std::stable_sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
-        return (a.l - first) / verified_at_once < (b.l - first) / verified_at_once;
-      });
-    const Candidate_verifier<TemporalFilter, Search> is_extremum(m_shape, batch, weights, time_axis(), m_search);
-    auto next = candidates.begin();
-    for (std::size_t i = 0; i < windows; ++i) {
-      const std::size_t begin = first + i * verified_at_once, end = (std::min)(last, begin + verified_at_once);
-      const auto window_end =
-          std::find_if(next, candidates.end(), [&](const Candidate& c) { return c.l >= end; });
-      if (next == window_end) continue;
-      const auto window_loop = loop.part(i, windows);
-      temporal_weights.set_window(begin - 1 - below, end + 1 + above, window_loop.part(0, 8));
-      const std::size_t size = std::size_t(window_end - next);
-      std::vector<std::vector<Extremum>> found((size + candidates_per_task - 1) / candidates_per_task);
-      const auto at = next;
-      window_loop.part(1, 2)(found.size(), [&](std::size_t task) {
-        typename Temporal_weights<TemporalFilter>::Rows rows(temporal_weights);
-        Extremum extremum;
-        for (std::size_t j = task * candidates_per_task; j < (std::min)(size, (task + 1) * candidates_per_task); ++j)
-          if (is_extremum(at[std::ptrdiff_t(j)], rows, extremum)) found[task].push_back(extremum);
-      });
-      for (std::vector<Extremum>& f : found)
-        extrema.insert(extrema.end(), std::make_move_iterator(f.begin()), std::make_move_iterator(f.end()));
-      next = window_end;
-    }
-    loop.finish();
-  }
-
-  // Leaves one of equal extrema that belong together.
-  template <class Loop>
-  void join(const Level_batch& batch, const Level_weights& weights, const Loop& loop,
-            Temporal_weights<TemporalFilter>& temporal_weights, std::vector<Extremum>& extrema) const
-  {
-    const Extrema_of_like_scale like(extrema, time_axis());
-    std::vector<std::vector<std::size_t>> with_equals(m_time_levels); // by time level
-    for (std::size_t i = 0; i < extrema.size(); ++i)
-      if (like.has_equal(i)) with_equals[extrema[i].l].push_back(i);
-    const Candidate_verifier<TemporalFilter, Search> verifier(m_shape, batch, weights, time_axis(), m_search);
-    std::vector<std::vector<Rest_shape::Index>> reached(extrema.size());
-    for (std::size_t l = 0; l < m_time_levels; ++l) {
-      if (with_equals[l].empty()) continue;
-      const auto level_loop = loop.part(l, m_time_levels);
-      temporal_weights.set_window(l - 1 - below, l + 2 + above, level_loop.part(0, 2));
-      level_loop.part(1, 2)(with_equals[l].size(), [&](std::size_t task) {
-        typename Temporal_weights<TemporalFilter>::Rows rows(temporal_weights);
-        const std::size_t i = with_equals[l][task];
-        const Extremum& e = extrema[i];
-        rows.seek(l - 1 - below, l + 2 + above, e.frame);
-        reached[i] = reached_from(m_shape, e, [&](std::size_t v) { return verifier.response(v, e.k, l, e.frame, rows); });
-      });
-    }
-    join_equal_extrema(m_shape, like, reached, extrema);
-    loop.finish();
   }
 
   const Rest_shape& m_shape;

@@ -7,50 +7,19 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_TEMPORAL_WEIGHTS_H
 #define CGAL_ANIMATED_MESH_FEATURES_EXTREMA_INTERNAL_TEMPORAL_WEIGHTS_H
 
+#include <CGAL/Animated_mesh_features/Extrema/internal/Temporal_filter_traits.h>
+#include <CGAL/Animated_mesh_features/Extrema/internal/Temporal_matrices.h>
 #include <CGAL/Animated_mesh_features/Numerics/simd/Pack.h>
 #include <CGAL/Animated_mesh_features/Numerics/simd/run_vectorized.h>
 #include <CGAL/Animated_mesh_features/Scale_space/is_periodic.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
-
-// Whether a temporal filter takes rows of several vertices at once.
-template <class Filter, class = void>
-struct Is_vectorized_filter : std::false_type
-{
-};
-template <class Filter>
-struct Is_vectorized_filter<Filter, std::enable_if_t<Filter::vectorized>> : std::true_type
-{
-};
-
-// Whether a temporal filter tells its weights by distance.
-template <class Filter, class = void>
-struct Has_weights_by_distance : std::false_type
-{
-};
-template <class Filter>
-struct Has_weights_by_distance<Filter, std::void_t<decltype(std::declval<const Filter&>().weights_by_distance(0))>>
-  : std::true_type
-{
-};
-
-// Whether a temporal filter does to a row that is turned round the same as to the row, to the last bit.
-template <class Filter, class = void>
-struct Is_mirror_symmetric : std::false_type
-{
-};
-template <class Filter>
-struct Is_mirror_symmetric<Filter, std::enable_if_t<Filter::is_mirror_symmetric>> : std::true_type
-{
-};
 
 // The weights of all frames in a frame of a level of a temporal filter, for a window of levels that moves upwards: row
 // f of the level's matrix T_l. Matrices have F^2 numbers a level; where these would be too many, rows are made of the
@@ -68,11 +37,11 @@ public:
     , m_frames(number_of_frames)
     , m_levels(number_of_levels)
     , m_least_window((std::min)(number_of_levels, least_window))
-    , m_stride((number_of_frames + pack_size - 1) / pack_size * pack_size)
-    , m_bytes(bytes)
+    , m_fitting(Temporal_matrices<TemporalFilter>::number_that_fits(number_of_frames, bytes))
+    , m_matrices(filter, number_of_frames)
   {
     if constexpr (Has_weights_by_distance<TemporalFilter>::value)
-      m_is_by_distance = (number_of_frames > most_frames_of_matrices || m_least_window > matrices_that_fit()) &&
+      m_is_by_distance = (number_of_frames > most_frames_of_matrices || m_least_window > m_fitting) &&
                          (filter.reflects() || is_periodic(filter));
   }
 
@@ -93,25 +62,7 @@ public:
         loop.part(1, 2)(last - first, [&](std::size_t i) { m_two_sided[i] = two_sided(i); });
         return;
       }
-    const bool goes_on = first >= m_first && first < m_last && last > m_last;
-    const std::size_t size = m_stride * m_frames;
-    if (goes_on) // in place: there are never two windows in memory
-      m_values.erase(m_values.begin(), m_values.begin() + std::ptrdiff_t((first - m_first) * size));
-    else
-      m_values.clear();
-    if (m_values.capacity() < (last - first) * size) m_values.reserve((std::max)((last - first), window_size()) * size);
-    m_values.resize((last - first) * size);
-    const std::size_t from = goes_on ? m_last : 0;
-    const double* before = goes_on ? m_values.data() + (m_last - 1 - first) * size : nullptr;
-    // of a symmetric filter the first half of the columns tells the others
-    const std::size_t columns = is_symmetric ? (m_frames + 1) / 2 : m_frames;
-    loop((columns + pack_size - 1) / pack_size, [&](std::size_t group) {
-      Impulse_loop impulses = {*this, group, before, from, first, last, m_values};
-      if constexpr (Is_vectorized_filter<TemporalFilter>::value)
-        run_reproducibly<double>(widest_instruction_set(), impulses);
-      else
-        impulses.template run<Baseline_register<double>::value>();
-    });
+    m_matrices.set_window(first, last, window_size(), loop);
     m_first = first;
     m_last = last;
   }
@@ -119,7 +70,7 @@ public:
   // The levels of a window: as many as fit into a moderate amount of memory, but never less than are needed.
   std::size_t window_size() const
   {
-    return m_is_by_distance ? m_levels : (std::min)(m_levels, (std::max)(m_least_window, matrices_that_fit()));
+    return m_is_by_distance ? m_levels : (std::min)(m_levels, (std::max)(m_least_window, m_fitting));
   }
 
   // Rows of the levels of the window around some frame, for one thread.
@@ -154,7 +105,7 @@ public:
     // The weight of frame begin() in frame f of level l, those of the following frames after it.
     const double* row(std::size_t l, std::size_t f)
     {
-      if (!m_weights.m_is_by_distance) return m_weights.matrix_row(l, f);
+      if (!m_weights.m_is_by_distance) return m_weights.m_matrices.row(l, f);
       if (m_is_inside) return m_weights.own_weight(l) - (f - m_begin);
       const std::size_t nth = f == m_frame ? 1 : f + 1 == m_frame || (m_frame == 0 && f != 1) ? 0 : 2;
       const std::size_t i = 3 * (l - m_first) + nth;
@@ -203,36 +154,8 @@ public:
   };
 
 private:
-  static constexpr std::size_t pack_size = 8;
-  static constexpr bool is_symmetric = Is_mirror_symmetric<TemporalFilter>::value;
-
   // Rows of more frames are made of weights by distance where they can.
   static constexpr std::size_t most_frames_of_matrices = 1024;
-
-  struct Impulse_loop
-  {
-    const Temporal_weights& weights;
-    std::size_t group;
-    const double* before;
-    std::size_t from, first, last;
-    std::vector<double>& values;
-
-    template <std::size_t bytes>
-    void run()
-    {
-      weights.template smooth_impulses<bytes>(group, before, from, first, last, values);
-    }
-  };
-
-  std::size_t matrices_that_fit() const
-  {
-    return m_bytes / (m_stride * m_frames * sizeof(double));
-  }
-
-  const double* matrix_row(std::size_t l, std::size_t f) const
-  {
-    return m_values.data() + ((l - m_first) * m_frames + f) * m_stride;
-  }
 
   const std::vector<double>& by_distance(std::size_t l) const { return m_by_distance[l - m_first]; }
 
@@ -271,63 +194,11 @@ private:
     return weights;
   }
 
-  // Writes some numbers of frame f of a matrix, from a column on; with a symmetric filter those of the first half only,
-  // and what they tell of the second.
-  void write(const double* numbers, std::size_t count, std::size_t f, std::size_t column, double* matrix) const
-  {
-    for (std::size_t j = column; j < (std::min)(column + count, m_frames); ++j) {
-      const std::size_t opposite = m_frames - 1 - j;
-      if (is_symmetric && j > opposite) break;
-      matrix[f * m_stride + j] = numbers[j - column];
-      if (is_symmetric && j < opposite) matrix[(m_frames - 1 - f) * m_stride + opposite] = numbers[j - column];
-    }
-  }
-
-  // The columns of a group: impulses in `pack_size` successive frames, smoothed.
-  template <std::size_t bytes>
-  void smooth_impulses(std::size_t group, const double* before, std::size_t from, std::size_t first, std::size_t last,
-                       std::vector<double>& values) const
-  {
-    const std::size_t size = m_stride * m_frames, column = group * pack_size;
-    const auto smooth = [&](auto& row, auto& next, std::size_t i, std::size_t count, const auto& load,
-                            const auto& store) {
-      for (std::size_t f = 0; f < m_frames; ++f) load(f, row[f]);
-      for (std::size_t l = from; l < last; ++l) {
-        m_filter(l, row.data(), next.data());
-        row.swap(next);
-        if (l >= first)
-          for (std::size_t f = 0; f < m_frames; ++f) {
-            double numbers[pack_size] = {};
-            store(row[f], numbers);
-            write(numbers, count, f, column + i, values.data() + (l - first) * size);
-          }
-      }
-    };
-    const auto entry = [&](std::size_t f, std::size_t i) {
-      return before != nullptr ? before[f * m_stride + column + i] : double(f == column + i);
-    };
-    if constexpr (Is_vectorized_filter<TemporalFilter>::value) {
-      typedef Pack<double, pack_size, bytes> Block;
-      std::vector<Block> row(m_frames), next(m_frames);
-      const auto load = [&](std::size_t f, Block& block) {
-        double numbers[pack_size];
-        for (std::size_t i = 0; i < pack_size; ++i) numbers[i] = entry(f, i);
-        block = Block::load(numbers);
-      };
-      smooth(row, next, 0, pack_size, load, [](const Block& block, double* to) { block.store(to); });
-    } else {
-      std::vector<double> row(m_frames), next(m_frames);
-      for (std::size_t i = 0; i < pack_size && column + i < m_frames; ++i)
-        smooth(row, next, i, 1, [&](std::size_t f, double& number) { number = entry(f, i); },
-               [&](double number, double* to) { *to = number; });
-    }
-  }
-
   const TemporalFilter& m_filter;
-  std::size_t m_frames, m_levels, m_least_window, m_stride, m_bytes;
+  std::size_t m_frames, m_levels, m_least_window, m_fitting;
+  Temporal_matrices<TemporalFilter> m_matrices;
   bool m_is_by_distance = false;
   std::size_t m_first = 0, m_last = 0;
-  std::vector<double> m_values;                    // [l - first][f][j]
   std::vector<std::vector<double>> m_by_distance; // [l - first][distance]
   std::vector<std::vector<double>> m_two_sided;   // the same on either side of the middle
 };
