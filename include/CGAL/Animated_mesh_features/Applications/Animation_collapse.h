@@ -18,6 +18,7 @@
 #include <CGAL/Animated_mesh_features/Applications/internal/collapse_settings.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
 
+#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 #include <CGAL/version.h>
@@ -198,6 +199,27 @@ public:
   {
     const std::size_t i = get(m_index, v);
     binding.push_back(m_collapses.followed(i).vertices, m_collapses.followed(i).weights);
+  }
+
+  template <class Guidance = Plain_guidance>
+  void refine(const TriangleMesh& mesh, const Rest_shape& rest, std::size_t sweeps,
+              const Guidance& guidance = Guidance())
+  {
+    std::vector<Rest_shape::Triangle> triangles;
+    for (auto f : faces(mesh)) {
+      const halfedge_descriptor h = halfedge(f, mesh), g = next(h, mesh);
+      triangles.push_back(
+          {{Index(rank(target(h, mesh))), Index(rank(target(g, mesh))), Index(rank(target(next(g, mesh), mesh)))}});
+    }
+    const std::vector<Index> survivors = m_collapses.survivors();
+    const internal::Place_refinement level(rest, triangles, survivors);
+    std::vector<char> at_border(rest.number_of_vertices(), 0), may_move;
+    for (auto h : halfedges(mesh))
+      if (is_border_edge(h, mesh)) at_border[rank(target(h, mesh))] = 1;
+    for (Index v : level.vertices()) may_move.push_back(at_border[v] == 0);
+    m_collapses.refine(
+        level, may_move, sweeps, [&](std::size_t v, std::size_t pose) { return guidance(v, m_poses[pose]); },
+        [](std::size_t n, const auto& task) { parallel_for<CGAL::Parallel_if_available_tag>(0, n, task); });
   }
 
   /// for each vertex of the original the rank of the one that has taken its place, or its own. Linear time.

@@ -184,12 +184,15 @@ Simplified_animation simplify_animation(const Animation& animation, const Simpli
   Simplified_animation result;
   result.poses = collapse.poses();
   const std::size_t from = vertices, last = options.vertices.back();
-  for (std::size_t target : options.vertices) {
+  std::vector<std::size_t> T=options.vertices;
+  if (getenv("EXTRA")) { double r=std::stod(getenv("EXTRA")); for (double x=double(from)*r; x>double(last); x*=r) T.push_back(std::size_t(x)); std::sort(T.begin(),T.end(),std::greater<>()); T.erase(std::unique(T.begin(),T.end()),T.end()); }
+  for (std::size_t target : T) {
     const internal::Collapse_counter<Watch> counter(vertices, from, last, watch);
     SMS::edge_collapse(
         mesh, internal::Vertex_count_stop(vertices, target),
         CGAL::parameters::get_cost(cost).get_placement(placement).filter(filter).visitor(collapse.visitor(counter)));
-    result.levels.push_back(internal::level_of(mesh, collapse));
+    if (getenv("SWEEPS")) collapse.refine(mesh, rest, std::stoul(getenv("SWEEPS")), guidance);
+    if (std::find(options.vertices.begin(),options.vertices.end(),target)!=options.vertices.end()) result.levels.push_back(internal::level_of(mesh, collapse));
   }
   if (!watch(1.)) throw Cancelled();
   return result;
