@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // simplification MESH.obj CACHE.pc2 [--rest REST.obj] [--features FEATURES.json] [--shares 0.5,0.1,0.03] [--step N]
-//   [--only NAME,...] [--line W] [--cosine C] [--support K] [--write FOLDER]
+//   [--only NAME,...] [--line W] [--cosine C] [--support K] [--refinements R] [--write FOLDER]
 //
 // Simplifies an animation by several methods and prints how far each is from the original: CGAL's Garland-Heckbert and
 // meshoptimizer on the rest shape, quadrics of a random pose, of all frames, of chosen poses, with guidance by
@@ -271,7 +271,7 @@ int main(int argc, char* argv[])
   if (argc < 3) {
     std::cerr
         << "simplification MESH.obj CACHE.pc2 [--rest REST.obj] [--features FEATURES.json] [--shares 0.5,0.1,0.03] "
-           "[--step N] [--only NAME,...] [--line W] [--cosine C] [--support K] [--write FOLDER]\n";
+           "[--step N] [--only NAME,...] [--line W] [--cosine C] [--support K] [--refinements R] [--write FOLDER]\n";
     return 2;
   }
   std::map<std::string, std::string> options = {{"--shares", "0.5,0.1,0.03"}, {"--step", "1"}};
@@ -309,6 +309,7 @@ int main(int argc, char* argv[])
   number("--line", base.line_weight);
   number("--cosine", base.least_cosine);
   if (!options["--support"].empty()) base.support = std::stoul(options["--support"]);
+  if (!options["--refinements"].empty()) base.refinements = std::stoul(options["--refinements"]);
   std::istringstream shares(options["--shares"]);
   std::vector<double> ratios;
   for (std::string share; std::getline(shares, share, ',');) ratios.push_back(std::stod(share));

@@ -98,9 +98,13 @@ struct Collapse_counter : CGAL::Surface_mesh_simplification::Edge_collapse_visit
   template <class Profile, class Cost, class Size>
   void OnSelected(const Profile&, const Cost&, Size, Size)
   {
-    if (++m_selected % 256 != 0) return;
+    if (++m_selected % 256 == 0 && !(*m_watch)(done())) throw Cancelled();
+  }
+
+  double done() const
+  {
     const double done = double(m_from - *m_vertices), all = double(m_from > m_to ? m_from - m_to : 1);
-    if (!(*m_watch)((std::min)(1., .1 + .9 * done / all))) throw Cancelled();
+    return (std::min)(1., .1 + .9 * done / all);
   }
 
   template <class Profile, class Vertex>
@@ -184,15 +188,19 @@ Simplified_animation simplify_animation(const Animation& animation, const Simpli
   Simplified_animation result;
   result.poses = collapse.poses();
   const std::size_t from = vertices, last = options.vertices.back();
-  std::vector<std::size_t> T=options.vertices;
-  if (getenv("EXTRA")) { double r=std::stod(getenv("EXTRA")); for (double x=double(from)*r; x>double(last); x*=r) T.push_back(std::size_t(x)); std::sort(T.begin(),T.end(),std::greater<>()); T.erase(std::unique(T.begin(),T.end()),T.end()); }
-  for (std::size_t target : T) {
-    const internal::Collapse_counter<Watch> counter(vertices, from, last, watch);
-    SMS::edge_collapse(
-        mesh, internal::Vertex_count_stop(vertices, target),
-        CGAL::parameters::get_cost(cost).get_placement(placement).filter(filter).visitor(collapse.visitor(counter)));
-    if (getenv("SWEEPS")) collapse.refine(mesh, rest, std::stoul(getenv("SWEEPS")), guidance);
-    if (std::find(options.vertices.begin(),options.vertices.end(),target)!=options.vertices.end()) result.levels.push_back(internal::level_of(mesh, collapse));
+  const internal::Collapse_counter<Watch> counter(vertices, from, last, watch);
+  for (std::size_t target : options.vertices) {
+    for (bool is_reached = false; !is_reached;) {
+      // places are refined each time that a half of the vertices is gone: what follows depends on them
+      const std::size_t before = vertices, next = (std::max)(target, options.refinements > 0 ? before / 2 : 0);
+      SMS::edge_collapse(
+          mesh, internal::Vertex_count_stop(vertices, next),
+          CGAL::parameters::get_cost(cost).get_placement(placement).filter(filter).visitor(collapse.visitor(counter)));
+      if (vertices < before) collapse.refine(mesh, rest, next == target || vertices > next ? options.refinements : getenv("INTER") ? std::stoul(getenv("INTER")) : options.refinements, guidance);
+      is_reached = next == target || vertices > next;
+      if (!watch(counter.done())) throw Cancelled();
+    }
+    result.levels.push_back(internal::level_of(mesh, collapse));
   }
   if (!watch(1.)) throw Cancelled();
   return result;

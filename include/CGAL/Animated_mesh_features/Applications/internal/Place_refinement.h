@@ -29,7 +29,7 @@ namespace internal {
 // samples of both surfaces (H. Hoppe and others, Mesh optimization, 1993). Quadrics are of planes, which reach far beyond
 // the triangles that they come from: where many were summed up, their least value is not where the surface is.
 //
-// Samples are the vertices of either surface and the centres of its triangles, each with the nearest point of the other
+// Samples are the vertices of either surface and the centres of its triangles, unless these are small, each with the nearest point of the other
 // one near by; n is the unit vector between them, e their distance. If the corners of the level's triangle move by d_i, the
 // distance becomes e + n . sum b_i d_i, with the barycentric coordinates b_i of the sample. Its square is convex, so it is
 // no more than sum b_i (e + n . d_i)^2: a plane for each corner. So all corners move at the same time, and the sum of
@@ -62,8 +62,17 @@ public:
       for (Index k : m_triangles[t]) around[k].push_back(Index(t));
     for (std::size_t v = 0; v < survivors.size(); ++v)
       if (m_number_of[v] != Rest_shape::none && !rest.is_isolated(v)) taken[m_number_of[v]].push_back(Index(v));
-    m_around = Compressed_rows(around);
-    m_taken = Compressed_rows(taken);
+    for (const auto& row : around) m_around.push_back(row.begin(), row.end());
+    for (const auto& row : taken) m_taken.push_back(row.begin(), row.end());
+    double area = 0;
+    std::vector<double> areas;
+    for (const Triangle& t : rest.triangles()) {
+      const auto& p = rest.points();
+      areas.push_back((p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm());
+      area += areas.back();
+    }
+    const double small = 1. / 8; // of a triangle of the level
+    for (double a : areas) m_has_centre.push_back(a > small * area / double(m_triangles.size()) ? 1 : 0);
   }
 
   // of the level, by number
@@ -114,17 +123,19 @@ private:
                                Pose_quadrics& quadrics) const
   {
     std::vector<double> shares(at.original.size(), 0);
-    for (const Triangle& t : m_rest->triangles()) {
+    for (std::size_t k = 0; k < m_has_centre.size(); ++k) {
+      const Triangle& t = m_rest->triangles()[k];
       const Point &a = at.original[t[0]], &b = at.original[t[1]], &c = at.original[t[2]];
       const double area = (b - a).cross(c - a).norm() / 2;
       double sum = 0;
       for (Index v : t) {
         const double w = weight(v) * area;
-        shares[v] += corner_share * w;
+        shares[v] += m_has_centre[k] != 0 ? corner_share * w : w / 3;
         sum += w / 3;
       }
-      add_sample(at, (a + b + c) / 3, {{m_number_of[t[0]], m_number_of[t[1]], m_number_of[t[2]]}}, centre_share * sum,
-                 pose, quadrics);
+      if (m_has_centre[k] != 0)
+          add_sample(at, (a + b + c) / 3, {{m_number_of[t[0]], m_number_of[t[1]], m_number_of[t[2]]}}, centre_share * sum,
+                   pose, quadrics);
     }
     for (std::size_t v = 0; v < shares.size(); ++v) {
       const Index k = m_number_of[v];
@@ -226,6 +237,7 @@ private:
   std::vector<Triangle> m_triangles;
   std::vector<Index> m_number_of; // for each vertex of the original that of the vertex in whose place it is
   std::vector<Index> m_vertices;
+  std::vector<char> m_has_centre; // for each triangle of the original whether it is sampled there
   Compressed_rows m_around, m_taken;
 };
 

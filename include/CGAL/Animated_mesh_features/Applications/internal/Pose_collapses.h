@@ -147,16 +147,16 @@ public:
     m_stamps[kept] = ++m_stamp;
   }
 
-  // Moves the vertices of a level to where they are nearest to the original around them; `weight(v, pose)` as above. Fixed
-  // vertices stay, and those of which `may_move` says so. Collapses may go on afterwards.
+  // Moves the vertices of a level to where it is nearest to the original around them, so often; `weight(v, pose)` as
+  // above. Fixed vertices stay, and those that may not move. Collapses may go on afterwards.
   template <class Weight, class Loop>
-  void refine(const Place_refinement& level, const std::vector<char>& may_move, std::size_t sweeps,
-              const Weight& weight, const Loop& loop)
+  void refine(const Place_refinement& level, const std::vector<char>& may_move, std::size_t times, const Weight& weight,
+              const Loop& loop)
   {
     const std::size_t n = level.vertices().size(), poses = m_quadrics.number_of_poses();
     std::vector<Followed_vertices> wanted(n);
-    for (std::size_t sweep = 0; sweep < sweeps; ++sweep) {
-      Pose_quadrics planes(n + 1, poses);
+    for (std::size_t time = 0; time < times; ++time) {
+      Pose_quadrics planes(n + 1, poses); // and one that draws nowhere, the other end of what is no edge
       loop(poses, [&](std::size_t p) {
         level.add_planes(m_original, m_current, p, [&](std::size_t v) { return weight(v, p); }, planes);
       });
