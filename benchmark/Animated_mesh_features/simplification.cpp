@@ -374,7 +374,7 @@ int main(int argc, char* argv[])
     }
     o.preferred_poses.clear();
     o.poses = s.number_of_frames();
-    for (double strength : {1., 4., 16.})
+    for (double strength : {4., 16.})
       ours("guided " + std::to_string(int(strength)) + ", all", o,
            Amf::Feature_guidance(s.rest_shape(), s.number_of_frames(), s.frame_duration(), features, strength));
   }

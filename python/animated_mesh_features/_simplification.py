@@ -144,8 +144,8 @@ def simplify(frames, faces=None, *, vertices=None, ratio=None, lods=None, error=
     support : int, optional
         the most vertices of the original that one vertex follows, up to 64, by default 8.
     refinements : int, optional
-        how often places are refined by the distances between both surfaces, at each level and each time that a half of
-        the vertices is gone; by default 3, with `error` 1.
+        how often the places of a level's vertices are refined by the distances between both surfaces, by default 6,
+        with `error` 1.
     measure : bool
         whether errors are measured, in all frames, which takes several times as long as the simplification.
     {resources}

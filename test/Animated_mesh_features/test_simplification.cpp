@@ -255,7 +255,7 @@ void test_refinement()
   Amf::Simplification_options o = wanted({1440, 300, 100});
   o.refinements = 0;
   const auto plain = simplified(a, o);
-  o.refinements = 3;
+  o.refinements = 6;
   const auto refined = simplified(a, o);
   for (std::size_t k = 0; k < 3; ++k) {
     const auto before = errors(a, plain.levels[k], true), after = errors(a, refined.levels[k], true);
@@ -293,9 +293,8 @@ void test_refinement()
     return p;
   };
   const Points before = points();
-  collapse.refine(mesh, rest, 0);
-  CHECK(points() == before);
-  collapse.refine(mesh, rest, 4);
+  for (int i = 0; i < 4; ++i) collapse.refine(mesh, rest);
+  CHECK(points() != before);
   std::size_t k = 0;
   for (auto v : mesh.vertices()) {
     Amf::Vertex_binding binding;

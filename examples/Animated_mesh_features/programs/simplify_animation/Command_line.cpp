@@ -121,8 +121,8 @@ void add_simplification_options(Option_group& method, Command_line& o)
                if (o.method.support == 0 || o.method.support > 64) a.refuse("is not from 1 to 64");
              });
   method.add("refinements", "N",
-             "how often places are refined by the distances between both surfaces, at each level and each time that a half "
-             "of the vertices is gone (default: 3, with --error 1)",
+             "how often the places of a level's vertices are refined by the distances between both surfaces "
+             "(default: 6, with --error 1)",
              [&](const Argument& a) { o.refinements = a.count(); });
   method.add_switch(
       "keep-seams", o.keep_seams,

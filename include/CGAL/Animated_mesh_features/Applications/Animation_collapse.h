@@ -13,7 +13,9 @@
 #include <CGAL/Animated_mesh_features/Applications/Simplification_options.h>
 #include <CGAL/Animated_mesh_features/Applications/Vertex_binding.h>
 #include <CGAL/Animated_mesh_features/Applications/choose_poses.h>
+#include <CGAL/Animated_mesh_features/Applications/internal/Collapse_optional.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/Edge_costs.h>
+#include <CGAL/Animated_mesh_features/Applications/internal/Place_refinement.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/Pose_collapses.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/collapse_settings.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/parallel_for.h>
@@ -21,13 +23,6 @@
 #include <CGAL/boost/graph/helpers.h>
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
-#include <CGAL/version.h>
-
-#if CGAL_VERSION_NR >= 1060000000
-  #include <optional>
-#else
-  #include <boost/optional.hpp>
-#endif
 
 #include <array>
 #include <cstddef>
@@ -36,19 +31,6 @@
 
 namespace CGAL {
 namespace Animated_mesh_features {
-
-namespace internal {
-
-// what CGAL's simplification takes and returns
-#if CGAL_VERSION_NR >= 1060000000
-template <class T>
-using Collapse_optional = std::optional<T>;
-#else
-template <class T>
-using Collapse_optional = boost::optional<T>;
-#endif
-
-} // namespace internal
 
 /*!
 \ingroup PkgAnimatedMeshFeaturesSimplification
@@ -207,17 +189,17 @@ public:
   /*!
   moves the vertices that are left, but for fixed ones and those at borders, to where both surfaces are nearest to each
   other around them, in the sense of least squares over samples of both, in all poses together. The sum of squared
-  distances to the points that are nearest at first never grows; no triangle turns over. Collapses may go on from there.
+  distances to these points does not grow; no triangle turns over. Collapses may go on from there.
 
   \param mesh that of the constructor, as it is now; its points at rest are changed.
   \param rest, guidance those of the constructor.
-  \param times how often nearest points are looked for anew. Each time takes `O(N P)` time, in parallel if oneTBB is
-    there, and `80 M P` bytes for `M` vertices that are left.
+
+  A step towards the points that are nearest now; a few more get nearer. Takes `O(N P)` time, in parallel if oneTBB is
+  there, and `80 M P` bytes for `M` vertices that are left.
   */
   template <class Guidance = Plain_guidance>
-  void refine(const TriangleMesh& mesh, const Rest_shape& rest, std::size_t times, const Guidance& guidance = Guidance())
+  void refine(const TriangleMesh& mesh, const Rest_shape& rest, const Guidance& guidance = Guidance())
   {
-    if (times == 0) return;
     std::vector<Rest_shape::Triangle> triangles;
     for (auto f : faces(mesh)) {
       const halfedge_descriptor h = halfedge(f, mesh), g = next(h, mesh);
@@ -231,7 +213,7 @@ public:
       if (is_border_edge(h, mesh)) at_border[rank(target(h, mesh))] = 1;
     for (Index v : level.vertices()) may_move.push_back(at_border[v] == 0);
     m_collapses.refine(
-        level, may_move, times, [&](std::size_t v, std::size_t pose) { return guidance(v, m_poses[pose]); },
+        level, may_move, [&](std::size_t v, std::size_t pose) { return guidance(v, m_poses[pose]); },
         [](std::size_t n, const auto& task) { parallel_for<CGAL::Parallel_if_available_tag>(0, n, task); });
     for (vertex_descriptor v : vertices(mesh)) put(m_points, v, point(m_collapses.rest_point(rank(v))));
   }

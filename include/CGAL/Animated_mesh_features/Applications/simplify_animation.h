@@ -190,15 +190,13 @@ Simplified_animation simplify_animation(const Animation& animation, const Simpli
   const std::size_t from = vertices, last = options.vertices.back();
   const internal::Collapse_counter<Watch> counter(vertices, from, last, watch);
   for (std::size_t target : options.vertices) {
-    for (bool is_reached = false; !is_reached;) {
-      // places are refined each time that a half of the vertices is gone: what follows depends on them
-      const std::size_t before = vertices, next = (std::max)(target, options.refinements > 0 ? before / 2 : 0);
-      SMS::edge_collapse(
-          mesh, internal::Vertex_count_stop(vertices, next),
-          CGAL::parameters::get_cost(cost).get_placement(placement).filter(filter).visitor(collapse.visitor(counter)));
-      if (vertices < before) collapse.refine(mesh, rest, next == target || vertices > next ? options.refinements : getenv("INTER") ? std::stoul(getenv("INTER")) : options.refinements, guidance);
-      is_reached = next == target || vertices > next;
+    const std::size_t before = vertices;
+    SMS::edge_collapse(
+        mesh, internal::Vertex_count_stop(vertices, target),
+        CGAL::parameters::get_cost(cost).get_placement(placement).filter(filter).visitor(collapse.visitor(counter)));
+    for (std::size_t k = 0; k < options.refinements && vertices < before; ++k) {
       if (!watch(counter.done())) throw Cancelled();
+      collapse.refine(mesh, rest, guidance);
     }
     result.levels.push_back(internal::level_of(mesh, collapse));
   }

@@ -147,26 +147,23 @@ public:
     m_stamps[kept] = ++m_stamp;
   }
 
-  // Moves the vertices of a level to where it is nearest to the original around them, so often; `weight(v, pose)` as
-  // above. Fixed vertices stay, and those that may not move. Collapses may go on afterwards.
+  // Moves the vertices of a level towards where it is nearest to the original around them; `weight(v, pose)` as above.
+  // Fixed vertices stay, and those that may not move. Collapses may go on afterwards.
   template <class Weight, class Loop>
-  void refine(const Place_refinement& level, const std::vector<char>& may_move, std::size_t times, const Weight& weight,
-              const Loop& loop)
+  void refine(const Place_refinement& level, const std::vector<char>& may_move, const Weight& weight, const Loop& loop)
   {
     const std::size_t n = level.vertices().size(), poses = m_quadrics.number_of_poses();
+    Pose_quadrics planes(n + 1, poses); // and one that draws nowhere, the other end of what is no edge
+    loop(poses, [&](std::size_t p) {
+      level.add_planes(m_original, m_current, p, [&](std::size_t v) { return weight(v, p); }, planes);
+    });
     std::vector<Followed_vertices> wanted(n);
-    for (std::size_t time = 0; time < times; ++time) {
-      Pose_quadrics planes(n + 1, poses); // and one that draws nowhere, the other end of what is no edge
-      loop(poses, [&](std::size_t p) {
-        level.add_planes(m_original, m_current, p, [&](std::size_t v) { return weight(v, p); }, planes);
-      });
-      loop(n, [&](std::size_t k) {
-        wanted[k] = m_followed[level.vertices()[k]];
-        Weight_fit().improve(planes, k, n, m_original, wanted[k]);
-      });
-      for (std::size_t k = 0; k < n; ++k)
-        if (may_move[k] != 0 && !is_fixed(level.vertices()[k])) move(level, k, wanted[k]);
-    }
+    loop(n, [&](std::size_t k) {
+      wanted[k] = m_followed[level.vertices()[k]];
+      Weight_fit().improve(planes, k, n, m_original, wanted[k]);
+    });
+    for (std::size_t k = 0; k < n; ++k)
+      if (may_move[k] != 0 && !is_fixed(level.vertices()[k])) move(level, k, wanted[k]);
   }
 
   // by the vertex
@@ -198,32 +195,30 @@ private:
     }
   }
 
-  // Moves a vertex of a level, all of the way, a half, or a quarter, as long as that turns no triangle over.
-  void move(const Place_refinement& level, std::size_t k, Followed_vertices to)
+  // Moves a vertex of a level to where it would follow these, and beyond: where all of them move, steps of up to twice as
+  // long still go down, and 1.5 takes fewer of them. Less far, if that turned a triangle over.
+  void move(const Place_refinement& level, std::size_t k, const Followed_vertices& wanted)
   {
     const Index v = level.vertices()[k];
     Collapse c;
     m_turns.side(v, c.side);
-    for (int attempt = 0; attempt < 3; ++attempt) {
-      follow(to, c.place);
-      const auto is_turned = [&](Index t) {
-        const Rest_shape::Triangle& r = level.triangles()[t];
-        const std::size_t i = r[0] == k ? 0 : r[1] == k ? 1 : 2;
-        return turns(v, level.vertices()[r[(i + 1) % 3]], level.vertices()[r[(i + 2) % 3]], c);
-      };
-      const auto row = level.around(k);
-      if (std::none_of(row.begin(), row.end(), is_turned)) {
-        m_followed[v] = to;
-        for (std::size_t axis = 0; axis < 3; ++axis)
-          std::copy(c.place[axis].begin(), c.place[axis].end(), m_current.row(v, int(axis)));
-        m_stamps[v] = ++m_stamp;
-        return;
-      }
-      for (double& w : to.weights) w /= 2;
-      const Followed_vertices half = to;
-      to.clear();
-      to.add(m_followed[v], .5);
-      to.add(half, 1.);
+    const auto is_turned = [&](Index t) {
+      const Rest_shape::Triangle& r = level.triangles()[t];
+      const std::size_t i = r[0] == k ? 0 : r[1] == k ? 1 : 2;
+      return turns(v, level.vertices()[r[(i + 1) % 3]], level.vertices()[r[(i + 2) % 3]], c);
+    };
+    for (double step : {1.5, .75, .375}) {
+      c.followed = m_followed[v];
+      for (double& w : c.followed.weights) w *= 1 - step;
+      c.followed.add(wanted, step);
+      follow(c.followed, c.place);
+      const auto around = level.around(k);
+      if (std::any_of(around.begin(), around.end(), is_turned)) continue;
+      m_followed[v] = c.followed;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        std::copy(c.place[axis].begin(), c.place[axis].end(), m_current.row(v, int(axis)));
+      m_stamps[v] = ++m_stamp;
+      return;
     }
   }
 
