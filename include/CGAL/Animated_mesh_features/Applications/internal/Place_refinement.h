@@ -90,11 +90,14 @@ public:
   void add_planes(const Pose_positions& original, const Pose_positions& current, std::size_t pose, const Weight& weight,
                   Pose_quadrics& quadrics) const
   {
-    Pose_surfaces at{{}, {}};
-    for (std::size_t v = 0; v < m_number_of.size(); ++v) at.original.push_back(point(original, v, pose));
+    Pose_surfaces at;
+    for (std::size_t v = 0; v < m_number_of.size(); ++v) {
+      at.original.push_back(point(original, v, pose));
+      at.weights.push_back(weight(v));
+    }
     for (Index v : m_vertices) at.level.push_back(point(current, v, pose));
-    add_samples_of_original(at, pose, weight, quadrics);
-    add_samples_of_level(at, pose, weight, quadrics);
+    add_samples_of_original(at, pose, quadrics);
+    add_samples_of_level(at, pose, quadrics);
   }
 
 private:
@@ -104,6 +107,7 @@ private:
   struct Pose_surfaces
   {
     std::vector<Point> original, level;
+    std::vector<double> weights; // of the original
   };
 
   // nearer than this, in the unit of positions, surfaces touch
@@ -118,9 +122,7 @@ private:
     return Point(x[0], x[1], x[2]);
   }
 
-  template <class Weight>
-  void add_samples_of_original(const Pose_surfaces& at, std::size_t pose, const Weight& weight,
-                               Pose_quadrics& quadrics) const
+  void add_samples_of_original(const Pose_surfaces& at, std::size_t pose, Pose_quadrics& quadrics) const
   {
     std::vector<double> shares(at.original.size(), 0);
     for (std::size_t k = 0; k < m_has_centre.size(); ++k) {
@@ -129,7 +131,7 @@ private:
       const double area = (b - a).cross(c - a).norm() / 2;
       double sum = 0;
       for (Index v : t) {
-        const double w = weight(v) * area;
+        const double w = at.weights[v] * area;
         shares[v] += m_has_centre[k] != 0 ? corner_share * w : w / 3;
         sum += w / 3;
       }
@@ -175,9 +177,7 @@ private:
   }
 
   // Without these, what no sample of the original is near to would go anywhere.
-  template <class Weight>
-  void add_samples_of_level(const Pose_surfaces& at, std::size_t pose, const Weight& weight,
-                            Pose_quadrics& quadrics) const
+  void add_samples_of_level(const Pose_surfaces& at, std::size_t pose, Pose_quadrics& quadrics) const
   {
     std::vector<double> shares(at.level.size(), 0);
     for (const Triangle& t : m_triangles) {
@@ -193,14 +193,14 @@ private:
       const Point n = touches ? Point(normal / (2 * area)) : Point(step / distance);
       for (Index k : t)
         quadrics.add_plane(k, pose, n, touches ? at.level[k] : Point(at.level[k] - step),
-                           weight(v) * centre_share * area / 3);
+                           at.weights[v] * centre_share * area / 3);
     }
     for (std::size_t k = 0; k < shares.size(); ++k) {
       const Index v = nearest_taken(at, at.level[k], {{Index(k), Index(k), Index(k)}});
       const Point step = at.level[k] - nearest_around(at, at.level[k], v);
       const double distance = step.norm();
       if (distance > touching)
-        quadrics.add_plane(k, pose, step / distance, at.level[k] - step, weight(v) * shares[k]);
+        quadrics.add_plane(k, pose, step / distance, at.level[k] - step, at.weights[v] * shares[k]);
     }
   }
 
