@@ -271,7 +271,8 @@ int main(int argc, char* argv[])
   if (argc < 3) {
     std::cerr
         << "simplification MESH.obj CACHE.pc2 [--rest REST.obj] [--features FEATURES.json] [--shares 0.5,0.1,0.03] "
-           "[--step N] [--only NAME,...] [--line W] [--cosine C] [--support K] [--refinements R] [--guidance 4,16] [--write FOLDER]\n";
+           "[--step N] [--only NAME,...] [--line W] [--cosine C] [--support K] [--refinements R] [--guidance 4,16] "
+           "[--write FOLDER]\n";
     return 2;
   }
   std::map<std::string, std::string> options = {{"--shares", "0.5,0.1,0.03"}, {"--step", "1"}, {"--guidance", "4,16"}};

@@ -284,7 +284,8 @@ int main(int argc, char* argv[])
                 "The same, of what is not hidden; best, median and worst of 642 directions.", columns);
     Table triples(
         "Three views together",
-        "Per cent of the amplitude that the best view shows, that in each frame another one, the best there, would show, the "
+        "Per cent of the amplitude that the best view shows, that in each frame another one, the best there, would "
+        "show, the "
         "three of covering_views(), the best three of all triples of the directions that were scored, and all of these "
         "directions, which nothing exceeds; and the part of that which the three show. Regions seen as a whole from a "
         "cosine of 0.5, and of 0, that is wherever they are not hidden.",

@@ -183,8 +183,7 @@ int main()
   const double duration = double(cow.sequence->number_of_frames()) / 30;
   for (std::size_t i = 0; i < cow_features.size(); ++i) {
     const Feature& f = cow_features[i];
-    CHECK(std::isfinite(f.strength) && f.strength > 0 &&
-          (i == 0 || f.strength <= cow_features[i - 1].strength));
+    CHECK(std::isfinite(f.strength) && f.strength > 0 && (i == 0 || f.strength <= cow_features[i - 1].strength));
     CHECK(f.time > 0 && f.time < duration && f.sigma > 0 && std::isfinite(f.sigma) && f.tau > 0 && f.tau < duration);
     const double sum = f.barycentric_coordinates[0] + f.barycentric_coordinates[1] + f.barycentric_coordinates[2];
     CHECK_NEAR(sum, 1, 1e-12);

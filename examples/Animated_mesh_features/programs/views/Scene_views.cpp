@@ -56,8 +56,7 @@ AMF::View_scores scores_around(const Shown_scene& scene, const Scene_views& view
     return AMF::score_views(sequence, frames, directions, AMF::Entropy_view_score(frames.size()));
   return AMF::score_views(sequence, frames, directions,
                           AMF::Feature_view_score(sequence.rest_shape(), frames, sequence.number_of_frames(),
-                                                  sequence.frame_duration(), scene.features, 0.5,
-                                                  scene.is_cyclic));
+                                                  sequence.frame_duration(), scene.features, 0.5, scene.is_cyclic));
 }
 
 } // namespace Programs

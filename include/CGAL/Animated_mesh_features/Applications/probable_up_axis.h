@@ -67,8 +67,7 @@ inline double standing(const Rest_shape& shape, const Eigen::Vector3d& centre, i
   for (int i : {(axis + 1) % 3, (axis + 2) % 3}) {
     const double half_width = box.sizes()[i] / 2;
     if (!(half_width > 0)) continue;
-    stability = (std::min)(stability,
-                           (std::min)(centre[i] - feet.min()[i], feet.max()[i] - centre[i]) / half_width);
+    stability = (std::min)(stability, (std::min)(centre[i] - feet.min()[i], feet.max()[i] - centre[i]) / half_width);
   }
   return stability > 0 && height > 0 ? stability * (centre[axis] - low) / height : stability;
 }

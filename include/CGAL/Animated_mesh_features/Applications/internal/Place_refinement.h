@@ -136,7 +136,7 @@ private:
         sum += w / 3;
       }
       if (m_has_centre[k] != 0)
-          add_sample(at, (a + b + c) / 3, {{m_number_of[t[0]], m_number_of[t[1]], m_number_of[t[2]]}}, centre_share * sum,
+        add_sample(at, (a + b + c) / 3, {{m_number_of[t[0]], m_number_of[t[1]], m_number_of[t[2]]}}, centre_share * sum,
                    pose, quadrics);
     }
     for (std::size_t v = 0; v < shares.size(); ++v) {

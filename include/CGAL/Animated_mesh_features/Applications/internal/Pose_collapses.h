@@ -156,7 +156,8 @@ public:
     const std::size_t n = level.vertices().size(), poses = m_quadrics.number_of_poses();
     Pose_quadrics planes(n + 1, poses); // and one that draws nowhere, the other end of what is no edge
     loop(poses, [&](std::size_t p) {
-      level.add_planes(m_original, m_current, p, [&](std::size_t v) { return weight(v, p); }, planes);
+      level.add_planes(
+          m_original, m_current, p, [&](std::size_t v) { return weight(v, p); }, planes);
     });
     std::vector<Followed_vertices> wanted(n);
     loop(n, [&](std::size_t k) {
