@@ -105,7 +105,8 @@ class Simplification:
 
 @takes("arrays", "resources", "running")
 def simplify(frames, faces=None, *, vertices=None, ratio=None, lods=None, error=None, poses=None, features=None,
-             guidance=None, normals=None, support=None, measure=True, denoise, visitor, **options) -> Simplification:
+             guidance=None, normals=None, support=None, refinements=None, measure=True, denoise, visitor,
+             **options) -> Simplification:
     """Collapses edges of the mesh where that changes the surface least, in all poses together: one coarse connectivity
     for all frames, or several, nested. No collapse turns a triangle over in any frame, the topology stays.
 
@@ -140,6 +141,9 @@ def simplify(frames, faces=None, *, vertices=None, ratio=None, lods=None, error=
         the most by which a collapse may turn a normal in any frame, in degrees below 90, by default 78.5.
     support : int, optional
         the most vertices of the original that one vertex follows, up to 64, by default 8.
+    refinements : int, optional
+        how often the places of a level's vertices are refined by the distances between both surfaces, by default 6,
+        with `error` 1.
     measure : bool
         whether errors are measured, in all frames, which takes several times as long as the simplification.
     {resources}
@@ -160,5 +164,5 @@ def simplify(frames, faces=None, *, vertices=None, ratio=None, lods=None, error=
         raise InputError(f"features: some are not of the {n} vertices and {length} frames of the animation")
     data = _core.simplify(animation._data, chosen, arguments(
         vertices=vertices, ratio=ratio, lods=lods, error=error, poses=poses, guidance=guidance, normals=normals,
-        support=support, threads=options["threads"]), bool(measure), visitor)
+        support=support, refinements=refinements, threads=options["threads"]), bool(measure), visitor)
     return Simplification(data, animation)
