@@ -261,6 +261,23 @@ void test_strength(const Mesh& ball)
     CHECK_NEAR(f.amplitude, blob.amplitude, 0.02 * blob.amplitude);
     CHECK_NEAR(f.strength, all.front().strength, 0.02 * all.front().strength);
   }
+  // Where a range begins it counts less, though it is the same.
+  const auto fading = [&](double sigma_min, double tau_min) {
+    Amf::Calibrated_options options;
+    options.sampling.sigma = {sigma_min, 0.6};
+    options.sampling.tau = {tau_min, 0.5};
+    options.selection.absolute_threshold = 0;
+    const std::vector<Feature> features = found(ball, field, frame_duration, options);
+    CHECK(!features.empty());
+    const Feature f = features.empty() ? Feature() : features.front();
+    CHECK_NEAR(f.amplitude, blob.amplitude, 0.03 * blob.amplitude);
+    const double in_space = std::log(f.sigma / sigma_min) / std::log(1.6), in_time = std::log(f.tau / tau_min) / std::log(2.);
+    CHECK_NEAR(f.strength, f.amplitude * f.fit * std::min(1., in_space) * std::min(1., in_time), 1e-12);
+    return f.strength / all.front().strength;
+  };
+  CHECK_NEAR(fading(0.05, 0.08), 0.46, 0.05);
+  CHECK_NEAR(fading(0.11, 0.04), 0.36, 0.07);
+  CHECK(fading(0.12, 0.1) < 0.1);
 }
 
 // A burst that is twenty times as strong as all else removes nothing but what it covers.

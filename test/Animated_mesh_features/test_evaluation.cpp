@@ -88,6 +88,7 @@ Field gaussian_field(const Rest_shape& shape, std::size_t frames, const Feature&
 // The definition, sample by sample; of every `step`-th frame, counted from the one that is nearest to the feature.
 double plain_fit(const Rest_shape& shape, const Field& field, const Feature& f, std::ptrdiff_t step = 1)
 {
+  double disc = 0;
   const std::ptrdiff_t nearest = std::ptrdiff_t(std::floor(f.time / frame_duration + 0.5));
   const std::vector<double> d = path_lengths(shape, f.vertex_index);
   std::vector<double> w, g, x;
@@ -95,6 +96,7 @@ double plain_fit(const Rest_shape& shape, const Field& field, const Feature& f, 
     double area = 0;
     for (std::size_t i = 0; i < shape.triangles().size(); ++i)
       for (Rest_shape::Index corner : shape.triangles()[i]) area += corner == v ? shape.areas()[i] / 3 : 0;
+    if (d[v] <= std::sqrt(2.) * f.sigma) disc += area;
     for (std::size_t m = 0; m < field.number_of_frames(); ++m) {
       const double t = double(m) * frame_duration - f.time;
       if (d[v] > 2.5 * f.sigma || std::abs(t) > 2.5 * f.tau || (std::ptrdiff_t(m) - nearest) % step != 0) continue;
@@ -108,7 +110,8 @@ double plain_fit(const Rest_shape& shape, const Field& field, const Feature& f, 
   Array G(g.data(), Eigen::Index(g.size())), X(x.data(), Eigen::Index(x.size()));
   G -= (W * G).sum() / W.sum();
   X -= (W * X).sum() / W.sum();
-  return (W * G * X).sum() / std::sqrt((W * G * G).sum() * (W * X * X).sum());
+  const double share = std::min(1., disc / (pi * f.sigma * f.sigma)); // of half a disc
+  return share * (W * G * X).sum() / std::sqrt((W * G * G).sum() * (W * X * X).sum());
 }
 
 void test_fit()
@@ -172,6 +175,33 @@ void test_area_ratio()
   const double sigma = 20.5 / std::sqrt(2.);
   const double ratio = Amf::feature_fit(shape, areas, field, 1., feature_at(45 * 81 + 40, 1, sigma, 1)).area_ratio;
   CHECK_NEAR(ratio, 3 * std::sqrt(3.) / (2 * pi), 0.02);
+}
+
+// A Gaussian whose disc is on the surface in part: the fit is less where it is less than a half of it.
+void test_fit_of_parts()
+{
+  const std::size_t columns = 80;
+  const Rest_shape shape = rest_shape_of(regular_plane(columns, 90));
+  const std::vector<double> areas = Amf::vertex_areas(shape);
+  const auto fit = [&](std::size_t vertex, double sigma) {
+    const Feature f = feature_at(vertex, 10 * frame_duration, sigma, 3 * frame_duration);
+    return Amf::feature_fit(shape, areas, gaussian_field(shape, 20, f, 0, 1), frame_duration, f);
+  };
+  CHECK_NEAR(fit(45 * (columns + 1) + 40, 5).fit, 1, 1e-9);
+  const Amf::Feature_fit border = fit(40, 5), corner = fit(0, 5);
+  CHECK(border.area_ratio > 0.38 && border.area_ratio < 0.5);
+  CHECK_NEAR(border.fit, 2 * border.area_ratio, 1e-9);
+  CHECK(corner.area_ratio < 0.35);
+  CHECK_NEAR(corner.fit, 2 * corner.area_ratio, 1e-9);
+  // a disc that takes in all of a strip, 2 sqrt(2) sigma by 2
+  Shape strip = regular_plane(columns, 4);
+  const Rest_shape narrow = rest_shape_of(strip);
+  const Feature f = feature_at(2 * (columns + 1) + 40, 10 * frame_duration, 8, 3 * frame_duration);
+  const std::vector<double> narrow_areas = Amf::vertex_areas(narrow);
+  const Amf::Feature_fit part =
+      Amf::feature_fit(narrow, narrow_areas, gaussian_field(narrow, 20, f, 0, 1), frame_duration, f);
+  CHECK(part.area_ratio < 0.3);
+  CHECK_NEAR(part.fit, 2 * part.area_ratio, 1e-9);
 }
 
 // ----------------------------------------------------------------------------------------------- samples and intervals
@@ -638,6 +668,7 @@ int main()
 {
   test_fit();
   test_area_ratio();
+  test_fit_of_parts();
   test_bootstrap();
   test_chance();
   test_maximum_matching();

@@ -14,6 +14,7 @@
 #include <CGAL/Animated_mesh_features/Scale_space/One_ring_average_filter.h>
 #include <CGAL/Animated_mesh_features/Scale_space/Scale_sampling.h>
 
+#include <array>
 #include <fstream>
 #include <limits>
 
@@ -200,7 +201,7 @@ void test_default_ranges()
   const Amf::Fixed_ratio_sampling sampling;
   const Scale_levels levels = sampling(shape, 48, frame_duration, fine, temporal);
   const double size = shape.diameter();
-  const Amf::Scale_range sigma = {0.007 * size, 0.175 * size}, tau = {frame_duration, 16 * frame_duration};
+  const Amf::Scale_range sigma = {0.00495 * size, 0.175 * size}, tau = {frame_duration, 16 * frame_duration};
   check_levels(levels.space_variances, sigma, sampling.sigma_ratio, 0,
                std::lround(std::log(sigma.max / sigma.min) / std::log(sampling.sigma_ratio)));
   check_levels(levels.time_variances, tau, sampling.tau_ratio, 0,
@@ -224,6 +225,55 @@ void test_default_ranges()
   const Scale_levels other = sampling(rest_shape_of(small), 48, frame_duration, fine, temporal);
   CHECK(other.space_variances.size() == levels.space_variances.size());
   CHECK_NEAR(other.space_variances.back() * 1024 * 1024 / levels.space_variances.back(), 1, 1e-12);
+}
+
+// What counts how much where ranges begin.
+void test_fade()
+{
+  const Amf::Scale_fade fade = {2, 8};
+  CHECK(fade(1) == 0 && fade(2) == 0 && fade(8) == 1 && fade(1e9) == 1);
+  CHECK_NEAR(fade(4), 0.5, 1e-15);
+  CHECK_NEAR(fade(2 * std::cbrt(4.)), 1. / 3, 1e-15);
+  for (const Amf::Scale_fade& none : {Amf::Scale_fade(), Amf::Scale_fade{3, 3}, Amf::Scale_fade{3, 1}})
+    CHECK(none(1e-300) == 1 && none(3) == 1 && none(1e300) == 1);
+
+  const Rest_shape shape = two_triangles(100);
+  const Amf::Gaussian_temporal_filter temporal;
+  const auto fades = [&](const Amf::Fixed_ratio_sampling& sampling, double smallest_variance) {
+    const Scale_levels levels = sampling(shape, 48, frame_duration, Filter_of_limit{smallest_variance}, temporal);
+    return std::array<double, 4>{
+        {levels.sigma_fade.from, levels.sigma_fade.full, levels.tau_fade.from, levels.tau_fade.full}};
+  };
+  Amf::Fixed_ratio_sampling sampling;
+  sampling.sigma = {1, 32};
+  sampling.tau = {0.1, 0.5};
+  std::array<double, 4> f = fades(sampling, 1e-9);
+  const std::array<double, 4> expected = {{1, 1.6, 0.1, 0.2}};
+  for (std::size_t i = 0; i < 4; ++i) CHECK_NEAR(f[i], expected[i], 1e-12);
+  // on a coarse mesh from half a level below the first one: 2 sqrt(3) is resolved, 4 is the first level above
+  f = fades(sampling, 3);
+  CHECK_NEAR(f[0], 4 / std::pow(2, 0.25), 1e-12);
+  CHECK_NEAR(f[1], 1.6 * f[0], 1e-12);
+  // the upper half of a short range counts in full; so does all of a single level
+  sampling.tau = {0.1, 0.2};
+  f = fades(sampling, 1e-9);
+  CHECK_NEAR(f[3], 0.1 * std::sqrt(2.), 1e-12);
+  sampling.tau = {0.1, 0.1};
+  f = fades(sampling, 1e-9);
+  CHECK(Amf::Scale_fade({f[2], f[3]})(0.1) == 1);
+  // none
+  sampling.sigma_fade = sampling.tau_fade = 1;
+  f = fades(sampling, 1e-9);
+  CHECK(f[0] == f[1] && f[2] == f[3]);
+  for (double* factor : {&sampling.sigma_fade, &sampling.tau_fade}) {
+    for (double bad : {0.99, -1., std::numeric_limits<double>::quiet_NaN()}) {
+      *factor = bad;
+      CHECK_THROWS(Amf::Option_error, fades(sampling, 1e-9), "at least 1");
+    }
+    *factor = 1;
+  }
+  // the paper knows of none
+  CHECK(published_levels(shape, 48, 8).sigma_fade(1e-9) == 1 && published_levels(shape, 48, 8).tau_fade(1e-9) == 1);
 }
 
 void test_resolution_of_the_mesh()
@@ -315,6 +365,7 @@ int main()
   test_too_few_counts();
   test_fixed_ratio();
   test_default_ranges();
+  test_fade();
   test_resolution_of_the_mesh();
   test_errors();
   return test_result();

@@ -35,7 +35,8 @@ public:
 
   \returns the levels. Each of the two sequences has at least `SpaceTimeResponse::below + SpaceTimeResponse::above + 3`
     elements, or `CGAL::Animated_mesh_features::Option_error` is thrown: a minimum between scales has a level on either
-    side, and the response of all three is a difference. Minima are found at all levels but those.
+    side, and the response of all three is a difference. Minima are found at all levels but those. Which scales are reported,
+    and how much they count, are members, too.
   */
   template <class SpatialFilter, class TemporalFilter>
   CGAL::Animated_mesh_features::Scale_levels operator()(const CGAL::Animated_mesh_features::Rest_shape& shape,

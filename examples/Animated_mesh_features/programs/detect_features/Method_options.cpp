@@ -109,11 +109,13 @@ void add_scale_options(Option_group& group, Method_options& o)
             [&](const Argument& a) { o.time_counts = smoothing_counts(a, o.preset); });
   group.add("sigma-range", "MIN:MAX",
             "how large events may be (sigma, the standard deviation of a Gaussian in space), as lengths or % of the "
-            "diameter of the rest shape; either may be left out (default: 0.7 to 17.5 % of it). Preset calibrated only",
+            "diameter of the rest shape; either may be left out (default: 0.5 to 17.5 % of it); below 1.6 MIN "
+            "they count less and less. Preset calibrated only",
             [&](const Argument& a) { o.sigma = Programs::range(a, Programs::length); });
   group.add("tau-range", "MIN:MAX",
             "how long events may last (tau, the standard deviation in time), in seconds; either may be left out "
-            "(default: from one frame to a third of the duration, with --cyclic to a quarter). Preset calibrated only",
+            "(default: from one frame to a third of the duration, with --cyclic to a quarter); below 2 MIN they count less and "
+            "less. Preset calibrated only",
             [&](const Argument& a) {
               o.tau = Programs::range(a, [](const Argument& bound) { return bound.positive_number(); });
             });
@@ -182,8 +184,8 @@ void add_method_options(Option_group& group, Method_options& o)
 void add_selection_options(Option_group& group, Method_options& o)
 {
   group.add("threshold", "T",
-            "least strength, in the unit of the deformation: the amplitude of the event times its fit (default: 0.125; p: "
-            "none)",
+            "least strength, in the unit of the deformation: the amplitude of the event times its fit, less where the "
+            "ranges of scales begin (default: 0.115; p: none)",
             [&](const Argument& a) { o.threshold = a.non_negative_number(); });
   group.add("relative-threshold", "T",
             "least strength as a fraction of the strongest one, 0 to 1 (default: none; p: 0.2). If only one of the two "

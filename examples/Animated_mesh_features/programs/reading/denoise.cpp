@@ -59,7 +59,7 @@ double mean_edge(const Sequence& sequence)
 Denoised denoise(const Reading_options& o, const Mesh& mesh, const std::function<Rest_points()>& given,
                  std::optional<Sequence>& sequence, std::vector<std::string>& notices, AMF::Any_visitor visitor)
 {
-  const double usual = 0.1; // of the mean edge: see position_noise()
+  const double usual = 0.05; // of the mean edge: see position_noise()
   const double noise = AMF::position_noise(sequence->rest_shape(), sequence->trajectories());
   const double share = noise / mean_edge(*sequence);
   const bool is_noisy = share > usual;

@@ -46,7 +46,7 @@ All minima of the response are kept, with their refined places and their fits on
 another selection costs next to nothing.
 
 The strength of a feature is its amplitude times its fit (see `Feature_point`), with a response that knows of no amplitude
-`-response`. If the options bring no selection, it is `Feature_selection::of_any_field()`.
+`-response`; where the ranges of scales begin it is less, see `Scale_fade`. If the options bring no selection, it is `Feature_selection::of_any_field()`.
 
 A feature's `vertex` is the same as its `vertex_index`, and its `position` is that on the rest shape; `place_on_animation()`
 puts it on a moving mesh.
@@ -153,7 +153,8 @@ private:
     std::vector<Feature> minima;
     minima.reserve(found.extrema.size());
     for (const Response_extremum& e : found.extrema) minima.push_back(feature(e));
-    m_minima = internal::Fitted_minima<Feature>(std::move(minima), found.has_amplitudes);
+    m_minima =
+        internal::Fitted_minima<Feature>(std::move(minima), found.has_amplitudes, found.sigma_fade, found.tau_fade);
     m_sigma = std::move(found.sigma_levels);
     m_tau = std::move(found.tau_levels);
   }

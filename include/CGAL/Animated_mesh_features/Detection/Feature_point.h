@@ -77,7 +77,8 @@ struct Feature_point
   double fit = 1;
 
   /// by what features are sorted and selected: `amplitude` times `fit`, the part of the amplitude that the field bears
-  /// out, in the unit of the field. With a response that knows of no amplitude, such as the paper's, it is `-response`.
+  /// out, in the unit of the field; less where the ranges of the scales begin, see `Scale_fade`. With a response that knows
+  /// of no amplitude, such as the paper's, it is `-response`.
   double strength = 0;
 
   /// features at the same place, at whatever time, have the same number; that of the strongest feature is 0. The same

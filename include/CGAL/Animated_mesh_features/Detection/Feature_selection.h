@@ -24,9 +24,9 @@ a field of another unit see `of_any_field()`.
 */
 struct Feature_selection
 {
-  /// the least strength, in the unit of the field. By default 1/8, above which four features in five are at a
+  /// the least strength, in the unit of the field. By default 0.115, above which three features in four are at a
   /// joint that moves, measured on bodies with skeletons. It does not depend on what else happens in the clip.
-  double absolute_threshold = 0.125;
+  double absolute_threshold = 0.115;
 
   /// the least strength, as a fraction of the strongest one found, in [0, 1]; by default there is none. The stricter of the
   /// two thresholds decides. A single burst hides everything else by it.

@@ -31,8 +31,8 @@ How well a field is described by a feature found in it, see `Feature_fit_measure
 */
 struct Feature_fit
 {
-  /// the correlation of the field around the feature with the feature's Gaussian, from -1 to 1; 0 where one of them does
-  /// not vary.
+  /// the correlation of the field around the feature with the feature's Gaussian, from -1 to 1, less where a part of the
+  /// disc is missing; 0 where one of them does not vary.
   double fit = 0;
 
   /// the area of the disc of radius \f$\sqrt2\,\sigma\f$ on the surface over that of a flat one, \f$2\pi\sigma^2\f$: near 1
@@ -57,6 +57,12 @@ A cyclic animation goes on on either side of its frames.
 
 The fit is that of the vertex and not of the refined place, from which it differs by less than an edge.
 
+Where the surface has less than half of the flat disc that a blob of this size claims, as at the tip of a leg that is thinner
+than \f$\sigma\f$, the correlation is multiplied by \f$2A/(2\pi\sigma^2)\f$, A the area of the disc of radius
+\f$\sqrt2\,\sigma\f$ on the surface: a foot that stretches as a whole is no blob as large as the leg. Half of a disc is
+left at a border; paths along edges are longer than straight ones, by which it is a bit less. Of the features of people's
+bodies none has as little.
+
 Keeps `N` distances; the objects that it is made of are kept by reference. For `k` vertices around a feature and `m` frames,
 of which there are at most some 2,560, whatever \f$\tau\f$, a call takes `O(k log k + k m)`.
 
@@ -73,6 +79,9 @@ public:
   /// at least that many frames for a \f$\tau\f$ are compared, unless it has fewer: so all of them in rows of up to 1,024
   /// frames, whose \f$\tau\f$ is a third of the duration at most by default.
   static constexpr double frames_per_tau = 256;
+
+  /// the `Feature_fit::area_ratio` below which a feature's fit is less in proportion: what is left of a disc at a border.
+  static constexpr double least_area_ratio = 0.5;
 
   /*!
   refers to a field and the surface it is on.
@@ -113,7 +122,8 @@ public:
       measure_frames(feature);
     Feature_fit result;
     result.area_ratio = m_disc_area / (2 * 3.14159265358979323846 * feature.sigma * feature.sigma);
-    if (m_area > 0 && !m_in_time.values.empty()) result.fit = correlation(around);
+    if (m_area > 0 && !m_in_time.values.empty())
+      result.fit = correlation(around) * (std::min)(1., result.area_ratio / least_area_ratio);
     return result;
   }
 

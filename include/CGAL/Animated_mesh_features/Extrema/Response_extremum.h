@@ -7,6 +7,8 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_EXTREMA_RESPONSE_EXTREMUM_H
 #define CGAL_ANIMATED_MESH_FEATURES_EXTREMA_RESPONSE_EXTREMUM_H
 
+#include <CGAL/Animated_mesh_features/Scale_space/Scale_levels.h>
+
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -47,6 +49,7 @@ struct Response_extrema
   bool has_amplitudes = false;            ///< whether the response knows the amplitudes of events
   std::vector<double> sigma_levels;       ///< the \f$\sigma\f$ of all space levels (length)
   std::vector<double> tau_levels;         ///< the \f$\tau\f$ of all time levels (s)
+  Scale_fade sigma_fade, tau_fade;        ///< how much an extremum counts by its scales, see `Scale_levels`
 };
 
 } // namespace Animated_mesh_features

@@ -165,6 +165,8 @@ Response_extrema find_response_extrema(
   }
   Response_extrema result;
   result.has_amplitudes = internal::Has_amplitude<Response>::value;
+  result.sigma_fade = levels.sigma_fade;
+  result.tau_fade = levels.tau_fade;
   for (std::size_t k = 0; k < levels.space_variances.size(); ++k)
     result.sigma_levels.push_back(levels.sigma_factor * std::sqrt(options.spatial_filter.variance(k)));
   for (std::size_t l = 0; l < levels.time_variances.size(); ++l)

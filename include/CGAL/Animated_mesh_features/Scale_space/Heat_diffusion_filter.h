@@ -55,8 +55,8 @@ public:
   /// the variance that one-ring averaging would add in a pass, \f$3h^2/7\f$: the step where a sampling counts steps.
   double unit_variance(const Rest_shape& shape) const { return 3 * squared(shape.mean_edge_length()) / 7; }
 
-  /// the smallest variance that a level can have: \f$(0.35\,h)^2\f$, below which a Gaussian falls between the vertices.
-  double smallest_variance(const Rest_shape& shape) const { return squared(0.35 * shape.mean_edge_length()); }
+  /// the smallest variance that a level can have: \f$(0.3\,h)^2\f$, below which a Gaussian falls between the vertices.
+  double smallest_variance(const Rest_shape& shape) const { return squared(0.3 * shape.mean_edge_length()); }
 
   /// prepares the levels; factors are computed when a level is asked for.
   /// \param shape the rest shape.

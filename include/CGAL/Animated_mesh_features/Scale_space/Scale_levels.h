@@ -7,6 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_SCALE_SPACE_SCALE_LEVELS_H
 #define CGAL_ANIMATED_MESH_FEATURES_SCALE_SPACE_SCALE_LEVELS_H
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -25,6 +26,26 @@ struct Scale_range
 
   /// whether a scale is in the range, up to rounding.
   bool contains(double scale) const { return scale >= min * (1 - 1e-9) && scale <= max * (1 + 1e-9); }
+};
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesScaleSpace
+
+How much an extremum counts where a range of scales begins: nothing at `from`, all at `full` and above, in between by the
+logarithm of its scale. Without, it would count for all or nothing by the last digit of its scale, and be found in one of
+two animations alone that differ by next to nothing.
+*/
+struct Scale_fade
+{
+  double from = 0; ///< the scale up to which nothing counts
+  double full = 0; ///< the scale from which on all counts; up to `from`: everything counts
+
+  /// the share of a scale, in [0, 1].
+  double operator()(double scale) const
+  {
+    if (!(scale < full) || !(from < full)) return 1;
+    return scale > from ? std::log(scale / from) / std::log(full / from) : 0;
+  }
 };
 
 /*!
@@ -55,6 +76,13 @@ struct Scale_levels
   /// @{
   Scale_range reported_sigma = {0, std::numeric_limits<double>::infinity()}; ///< length
   Scale_range reported_tau = {0, std::numeric_limits<double>::infinity()};   ///< seconds
+  /// @}
+
+  /// \name Where ranges begin
+  /// The strength of a feature is multiplied by its share of both.
+  /// @{
+  Scale_fade sigma_fade; ///< length; by default all scales count
+  Scale_fade tau_fade;   ///< seconds; likewise
   /// @}
 
   /// \name Units of the response

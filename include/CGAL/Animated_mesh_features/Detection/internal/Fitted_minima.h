@@ -13,6 +13,7 @@
 #include <CGAL/Animated_mesh_features/Detection/Feature_selection.h>
 #include <CGAL/Animated_mesh_features/Detection/feature_fit.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Thread_local.h>
+#include <CGAL/Animated_mesh_features/Scale_space/Scale_levels.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -33,10 +34,13 @@ class Fitted_minima
 public:
   Fitted_minima() = default;
 
-  // `weighs_by_fit`: whether the strength of a minimum is its amplitude times its fit, or its amplitude.
-  Fitted_minima(std::vector<Feature> minima, bool weighs_by_fit)
+  // `weighs_by_fit`: whether the strength of a minimum is its amplitude times its fit, or its amplitude; both times its
+  // shares of the two ranges of scales.
+  Fitted_minima(std::vector<Feature> minima, bool weighs_by_fit, Scale_fade sigma_fade, Scale_fade tau_fade)
     : m_minima(std::move(minima))
     , m_weighs_by_fit(weighs_by_fit)
+    , m_sigma_fade(sigma_fade)
+    , m_tau_fade(tau_fade)
   {
     std::sort(m_minima.begin(), m_minima.end(), [](const Feature& a, const Feature& b) {
       return std::tie(b.amplitude, a.vertex_index, a.time, a.sigma, a.tau) <
@@ -87,7 +91,8 @@ private:
       for (std::size_t i = first + task * minima_per_task; i < (std::min)(end, first + (task + 1) * minima_per_task); ++i) {
         Feature& f = m_minima[i];
         f.fit = fit(f).fit;
-        f.strength = m_weighs_by_fit ? f.amplitude * (std::max)(0., f.fit) : f.amplitude;
+        f.strength = f.amplitude * m_sigma_fade(f.sigma) * m_tau_fade(f.tau);
+        if (m_weighs_by_fit) f.strength *= (std::max)(0., f.fit);
       }
     });
     m_measured = end;
@@ -96,6 +101,7 @@ private:
   std::vector<Feature> m_minima; // by amplitude, the largest first
   std::size_t m_measured = 0;    // how many of them have their fit
   bool m_weighs_by_fit = true;
+  Scale_fade m_sigma_fade, m_tau_fade;
 };
 
 } // namespace internal
