@@ -6,13 +6,13 @@
 
 """Animations beside each other: descriptors, matched features, alignment in time, distances."""
 
-from typing import List, Tuple
+from typing import List, Optional, Tuple
 
 import numpy as np
 
 from . import _core
 from ._detection import Detection
-from ._exceptions import InputError
+from ._exceptions import InputError, tell
 from ._files import FeatureFile
 from ._options import arguments, documented
 from .evaluation import _features
@@ -25,6 +25,8 @@ def _known_features(found, features, *kinds):
     array = _features(found if features is None else features)
     if not ((array["sigma"] > 0) & (array["tau"] > 0)).all():
         raise InputError("features: sigma and tau must be positive")
+    if found.parameters.get("cyclic"):
+        tell("the animation is cyclic; it is compared as one that ends, from the first frame to the last")
     return array
 
 
@@ -113,6 +115,11 @@ class Signature:
     def cycle_strength(self) -> float:
         """from 0, no cycle, to 1, the same again exactly."""
         return self._data.cycle_strength
+
+    @property
+    def pose_variation(self) -> Optional[float]:
+        """how far the body moves about its mean pose, relative to its size; None if only features are known."""
+        return self._data.pose_variation
 
 
 @documented
@@ -326,7 +333,8 @@ def event_differences(a, b, alignment=None, *, place=0.05, profile=0.3, frames=1
     return _core.event_differences(a, b, data, place, profile, frames, factor)
 
 
-def animation_distance(a, b, *, distance_place_weight=0.0, distance_recurrence_weight=1.0, cycle_weight=0.1) -> float:
+def animation_distance(a, b, *, distance_place_weight=0.0, distance_recurrence_weight=1.0, cycle_weight=0.1,
+                       variation_weight=0.4, duration_weight=0.1) -> float:
     """Tells how unlike two motions are, from 0, the same, to 1. It is the same for a body of another shape, another
     mesh and another frame rate, as far as the deformation is.
 
@@ -339,6 +347,10 @@ def animation_distance(a, b, *, distance_place_weight=0.0, distance_recurrence_w
         and how much what was before and comes after.
     cycle_weight : float
         how much cycles count, from 0 to 1.
+    variation_weight : float
+        and how much how far the body moves, from 0 to 1; of features alone it is not known.
+    duration_weight : float
+        and how much durations, from 0 to 1.
 
     Raises
     ------
@@ -347,19 +359,20 @@ def animation_distance(a, b, *, distance_place_weight=0.0, distance_recurrence_w
     """
     return float(distance_matrix([a, b], distance_place_weight=distance_place_weight,
                                  distance_recurrence_weight=distance_recurrence_weight,
-                                 cycle_weight=cycle_weight)[0, 1])
+                                 cycle_weight=cycle_weight, variation_weight=variation_weight,
+                                 duration_weight=duration_weight)[0, 1])
 
 
 @documented
 def distance_matrix(animations, *, distance_place_weight=0.0, distance_recurrence_weight=1.0, cycle_weight=0.1,
-                    threads=None, visitor=None) -> np.ndarray:
+                    variation_weight=0.4, duration_weight=0.1, threads=None, visitor=None) -> np.ndarray:
     """The distances of all pairs of animations, see `animation_distance()`.
 
     Parameters
     ----------
     animations : sequence of Signature, Detection or FeatureFile
         of the first two, if they are large, signatures take less memory.
-    distance_place_weight, distance_recurrence_weight, cycle_weight : float
+    distance_place_weight, distance_recurrence_weight, cycle_weight, variation_weight, duration_weight : float
         see `animation_distance()`.
     {running}
 
@@ -376,7 +389,8 @@ def distance_matrix(animations, *, distance_place_weight=0.0, distance_recurrenc
     signatures: List = [_signature(a, threads=threads, visitor=visitor) for a in animations]
     return _core.distances(signatures, arguments(distance_place_weight=distance_place_weight,
                                                  distance_recurrence_weight=distance_recurrence_weight,
-                                                 cycle_weight=cycle_weight, threads=threads), visitor)
+                                                 cycle_weight=cycle_weight, variation_weight=variation_weight,
+                                                 duration_weight=duration_weight, threads=threads), visitor)
 
 
 def classical_scaling(distances) -> np.ndarray:
