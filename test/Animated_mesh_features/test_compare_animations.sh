@@ -158,6 +158,7 @@ check "nothing_found['matches'] == [] and nothing_found['distance'] <= 1" nothin
 expect 2 "two animations are compared" a.json
 expect 2 "collection" matrix
 expect 2 "goes with two animations" matrix list.txt --check
+expect 2 "the weights of cycles" matrix list.txt --variation-weight 2
 expect 2 "is in the collection twice" matrix a.json a.json
 mkdir empty
 expect 3 "there are no animations" matrix empty
