@@ -141,12 +141,14 @@ def descriptor_distances(compare, data, twin):
 
 def descriptor_rows(compare, data, twin):
     """Mutual nearest neighbours of the descriptors of the horse and a twin."""
-    distance, same, _ = descriptor_distances(compare, data, twin)
-    first, second = distance.argmin(1), distance.argmin(0)
-    mutual = [i for i in range(len(distance)) if second[first[i]] == i]
-    by_chance = same.mean()
-    yield (f"descriptor, {twin}: true among mutual nearest", float(np.mean([same[i, first[i]] for i in mutual])), by_chance,
-           f"{len(mutual)} pairs; area below the ROC {auc(distance[same], distance[~same]):.3f}")
+    distance, same, of_one_scale = descriptor_distances(compare, data, twin)
+    for which, allowed in (("", same | True), (" of like scales", of_one_scale)):
+        d = np.where(allowed, distance, np.inf)
+        first, second = d.argmin(1), d.argmin(0)
+        mutual = [i for i in range(len(d)) if second[first[i]] == i and np.isfinite(d[i, first[i]])]
+        yield (f"descriptor, {twin}: true among mutual nearest{which}", float(np.mean([same[i, first[i]] for i in mutual])),
+               same[allowed].mean(),
+               f"{len(mutual)} pairs; area below the ROC {auc(d[allowed & same], d[allowed & ~same]):.3f}")
 
 
 def descriptors(compare, data, _):

@@ -425,6 +425,13 @@ void test_alignment()
   const Amf::Time_alignment back = Amf::align_animations(a, b); // neither comes first
   for (double t : {0.4, 1.7, 3.1}) CHECK_NEAR(back.to_a(t), warped.to_b(t), 1e-6);
 
+  Amf::Alignment_options rough; // steps of a sample
+  rough.smoothing = 0;
+  const Amf::Time_alignment steps = Amf::align_animations(b, a, rough);
+  CHECK(steps.cost == warped.cost);
+  for (double t : steps.times_b) CHECK_NEAR(t / frame, std::round(t / frame), 1e-9);
+  CHECK_NEAR(steps.to_b(1.7), warp(1.7), 2 * frame);
+
   // stands still for the second half: the map goes on smoothly to the end, which is that of the other one
   const double still = 7.2;
   const auto slow = [&](double t) { return t + 0.25 * still * std::sin(2 * pi * t / still) / (2 * pi); };
@@ -485,7 +492,7 @@ void test_alignment()
   options.max_slope = 0;
   CHECK_THROWS(Amf::Option_error, Amf::align_animations(x, y, options), "slope");
   options.max_slope = 2;
-  options.smoothing = 0;
+  options.smoothing = -1;
   CHECK_THROWS(Amf::Option_error, Amf::align_animations(x, y, options), "smoothing");
   Amf::Activity_options finer;
   finer.sample_duration = 1. / 60;

@@ -55,10 +55,15 @@ inline Time_alignment align_animations(const Activity& a, const Activity& b,
   const internal::Time_warping warping(a.samples, b.samples, cost, options.max_slope, options.end_weight, bend_cost);
   Time_alignment result;
   result.cost = cost.relative(warping.cost());
-  const internal::Time_refinement map(cost, warping.path(), options.smoothing / a.sample_duration, options.max_slope);
-  for (std::size_t k = 0; k < map.size(); ++k) {
-    result.times_a.push_back(map.a(k) * a.sample_duration);
-    result.times_b.push_back(map.b(k) * a.sample_duration);
+  const auto add = [&](double sample_of_a, double sample_of_b) {
+    result.times_a.push_back(sample_of_a * a.sample_duration);
+    result.times_b.push_back(sample_of_b * a.sample_duration);
+  };
+  if (options.smoothing > 0) {
+    const internal::Time_refinement map(cost, warping.path(), options.smoothing / a.sample_duration, options.max_slope);
+    for (std::size_t k = 0; k < map.size(); ++k) add(map.a(k), map.b(k));
+  } else {
+    for (const auto& [i, j] : warping.path()) add(double(i), double(j));
   }
   if (options.surrogates > 0) {
     std::vector<double> others;

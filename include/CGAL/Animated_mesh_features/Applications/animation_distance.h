@@ -48,6 +48,7 @@ struct Distance_options
     alignment.bend_weight = 0;
     alignment.end_weight = 1;
     alignment.max_slope = 2;
+    alignment.smoothing = 0; // of the map, which is not asked for
     alignment.surrogates = 0;
   }
 
