@@ -7,13 +7,11 @@
 """Arrays and files in, surfaces and animations out."""
 
 import os
-import sys
-import warnings
 
 import numpy as np
 
 from . import _core
-from ._exceptions import InputError, Notice
+from ._exceptions import InputError, tell
 from ._options import GROUPS, arguments, documented, takes
 
 
@@ -173,11 +171,7 @@ class Animation(Shape):
 
     def _take(self, data):
         self._data = data
-        frame, level = sys._getframe(), 1  # the line to be warned of is the first one outside of the package
-        while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
-            frame, level = frame.f_back, level + 1
-        for notice in data.notices:
-            warnings.warn(notice, Notice, stacklevel=level)
+        tell(*data.notices)
 
     def __repr__(self):
         d = self._data

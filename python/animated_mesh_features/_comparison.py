@@ -6,13 +6,13 @@
 
 """Animations beside each other: descriptors, matched features, alignment in time, distances."""
 
-from typing import Tuple
+from typing import Optional, Tuple
 
 import numpy as np
 
 from . import _core
 from ._detection import Detection
-from ._exceptions import InputError
+from ._exceptions import InputError, tell
 from ._files import FeatureFile
 from ._options import arguments, takes
 from .evaluation import _features
@@ -25,6 +25,8 @@ def _known_features(found, features, *kinds):
     array = _features(found if features is None else features)
     if not ((array["sigma"] > 0) & (array["tau"] > 0)).all():
         raise InputError("features: sigma and tau must be positive")
+    if found.parameters.get("cyclic"):
+        tell("the animation is cyclic; it is compared as one that ends, from the first frame to the last")
     return array
 
 
@@ -113,6 +115,11 @@ class Signature:
     def cycle_strength(self) -> float:
         """from 0, no cycle, to 1, the same again exactly."""
         return self._data.cycle_strength
+
+    @property
+    def pose_variation(self) -> Optional[float]:
+        """how far the body moves about its mean pose, relative to its size; None if only features are known."""
+        return self._data.pose_variation
 
 
 @takes("running")

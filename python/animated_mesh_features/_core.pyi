@@ -64,6 +64,7 @@ class SignatureData:
     rate: float
     period: float
     cycle_strength: float
+    pose_variation: Optional[float]
 
 class AlignmentData:
     times_a: np.ndarray

@@ -6,6 +6,9 @@
 
 """The exceptions of the package, told apart by what the caller can do about them; each is one of Python's own, too."""
 
+import sys
+import warnings
+
 
 class Error(RuntimeError):
     """The base of all exceptions that the package throws for a reason that the caller can meet in practice."""
@@ -36,3 +39,12 @@ class Cancelled(Error):
 class Notice(UserWarning):
     """What must be known of an animation to judge the result: vertices that were welded, frames that were left out, an
     unusual rest shape. The command line writes it as ``note: ...``."""
+
+
+def tell(*notices):
+    """warns of the line that called the package."""
+    frame, level = sys._getframe(), 1
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        frame, level = frame.f_back, level + 1
+    for notice in notices:
+        warnings.warn(notice, Notice, stacklevel=level)

@@ -148,7 +148,11 @@ DISTANCE = """
     distance_recurrence_weight : float
         and how much what was before and comes after.
     cycle_weight : float
-        how much cycles count, from 0 to 1."""
+        how much cycles count, from 0 to 1.
+    variation_weight : float
+        and how much how far the body moves, from 0 to 1; of features alone it is not known.
+    duration_weight : float
+        and how much durations, from 0 to 1."""
 
 _TEXTS = {"{measures}": MEASURES, "{search}": SEARCH, "{selection}": SELECTION, "{arrays}": ARRAYS,
           "{resources}": RESOURCES, "{running}": RUNNING, "{distance}": DISTANCE, "{errors}": ERRORS}
@@ -163,7 +167,8 @@ GROUPS: Dict[str, Dict[str, Any]] = {
     "search": dict(spatial_filter=None, dimension=None, temporal_filter=None, cyclic=False, box_width=None,
                    space_counts=None, time_counts=None, sigma_range=None, tau_range=None),
     "selection": dict(threshold=None, relative_threshold=None, min_fit=None, top=None, no_suppression=False),
-    "distance": dict(distance_place_weight=0.0, distance_recurrence_weight=1.0, cycle_weight=0.1),
+    "distance": dict(distance_place_weight=0.0, distance_recurrence_weight=1.0, cycle_weight=0.1, variation_weight=0.4,
+                     duration_weight=0.1),
     "resources": dict(memory=None, scratch=None),
     "running": dict(threads=None, visitor=None),
 }

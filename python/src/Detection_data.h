@@ -47,6 +47,8 @@ public:
   const Detect_features::Detection& detection() const { return m_detection; }
   const Shape_data& shape() const { return *m_shape; }
   double frame_duration() const { return m_frame_duration; }
+  const Animation_data* animation() const { return m_animation.get(); } // null if there is but a field
+  bool is_cyclic() const { return m_method.is_cyclic; }
 
   // null if it was not kept
   const Programs::Values* field(Programs::Field kind) const;

@@ -6,12 +6,15 @@
 
 #include "bind.h"
 
+#include "Animation_data.h"
 #include "Arguments.h"
 #include "Detection_data.h"
 #include "Python_monitor.h"
 #include "feature_arrays.h"
 #include "running/Thread_limit.h"
 
+#include <CGAL/Animated_mesh_features/Animation/pose_variation.h>
+#include <CGAL/Animated_mesh_features/Animation/vertex_areas.h>
 #include <CGAL/Animated_mesh_features/Applications/Animation_signature.h>
 #include <CGAL/Animated_mesh_features/Applications/align_animations.h>
 #include <CGAL/Animated_mesh_features/Applications/align_events.h>
@@ -142,9 +145,13 @@ std::shared_ptr<Signature> signature(const Detection_data& detection, const Feat
     const Options o = options_of(arguments, COMPARISON);
     const Programs::Thread_limit limit(o.run.threads);
     return with_descriptor(o.comparison, [&](const auto& descriptor) {
-      return std::make_shared<Signature>(
+      auto result = std::make_shared<Signature>(
           AMF::animation_signature(detection.shape().shape(), deformation_of(detection), detection.frame_duration(),
                                    points, o.comparison.activity, descriptor, Told_loop(monitor, "descriptors")));
+      if (detection.animation() != nullptr)
+        result->activity.pose_variation = AMF::pose_variation(detection.animation()->sequence().trajectories(),
+                                                              AMF::vertex_areas(detection.shape().shape()));
+      return result;
     });
   });
 }
@@ -271,7 +278,8 @@ void bind_comparison(py::module_& m)
       .def_property_readonly("activity", [](const Signature& s) { return array_of_elements(s.activity.mean); })
       .def_property_readonly("rate", [](const Signature& s) { return 1 / s.activity.sample_duration; })
       .def_property_readonly("period", [](const Signature& s) { return s.activity.cycle.period; })
-      .def_property_readonly("cycle_strength", [](const Signature& s) { return s.activity.cycle.strength; });
+      .def_property_readonly("cycle_strength", [](const Signature& s) { return s.activity.cycle.strength; })
+      .def_property_readonly("pose_variation", [](const Signature& s) { return s.activity.pose_variation; });
   py::class_<Alignment, std::shared_ptr<Alignment>>(m, "AlignmentData")
       .def_property_readonly("times_a", [](const Alignment& a) { return array_of_elements(a.times.times_a); })
       .def_property_readonly("times_b", [](const Alignment& a) { return array_of_elements(a.times.times_b); })

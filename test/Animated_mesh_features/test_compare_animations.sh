@@ -92,7 +92,7 @@ set/b.obj set/b.pc2 --fps 15
 set/c.obj set/c.pc2
 LIST
 expect 0 "" matrix list.txt --cache . -o matrix.json --threads 1
-check "[x['name'] for x in matrix['animations']] == ['a', 'b', 'c']
+check "[x['name'] for x in matrix['animations']] == ['a', 'b', 'c'] and all(x['pose_variation'] > 0.05 for x in matrix['animations'])
        and all(matrix['distances'][i][j] == matrix['distances'][j][i] for i in range(3) for j in range(3))
        and matrix['distances'][0][1] < 0.5 * matrix['distances'][0][2]" matrix
 expect 0 "" matrix list.txt -o threads.json # without the cache, on all threads
@@ -134,6 +134,7 @@ changed("millimetres", millimetres)
 changed("mixed_units", lambda data, animation, features: [
     f.update(rest_position=[1000 * x for x in f["rest_position"]]) for f in features])
 changed("milliseconds", milliseconds)
+changed("cyclic", lambda data, animation, features: data["parameters"].update(cyclic=True))
 changed("twice_as_fast", lambda data, animation, features: animation.update(frame_duration=animation["frame_duration"] / 2))
 PYTHON
 expect 3 "older.json: has version 0" a.json older.json
@@ -142,6 +143,7 @@ check "millimetres_found['distance'] < 1e-6 and len(millimetres_found['matches']
   millimetres_found
 expect 3 "mixed_units.json: features are" a.json mixed_units.json
 expect 3 "milliseconds.json: the animation lasts" a.json milliseconds.json
+expect 0 "cyclic.json: the animation is cyclic" a.json cyclic.json
 expect 0 "one rate was told wrongly" a.json twice_as_fast.json
 expect 0 "of which more is known" set/a.pc2 a.json --cache .
 head -c 700 a.json >torn.json
@@ -156,6 +158,7 @@ check "nothing_found['matches'] == [] and nothing_found['distance'] <= 1" nothin
 expect 2 "two animations are compared" a.json
 expect 2 "collection" matrix
 expect 2 "goes with two animations" matrix list.txt --check
+expect 2 "the weights of cycles" matrix list.txt --variation-weight 2
 expect 2 "is in the collection twice" matrix a.json a.json
 mkdir empty
 expect 3 "there are no animations" matrix empty

@@ -8,6 +8,8 @@
 
 #include "test_shapes.h"
 
+#include <CGAL/Animated_mesh_features/Animation/Vertex_trajectories.h>
+#include <CGAL/Animated_mesh_features/Animation/pose_variation.h>
 #include <CGAL/Animated_mesh_features/Applications/Animation_signature.h>
 #include <CGAL/Animated_mesh_features/Applications/align_animations.h>
 #include <CGAL/Animated_mesh_features/Applications/align_events.h>
@@ -21,6 +23,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -417,8 +420,45 @@ void test_alignment()
   }
   std::sort(errors.begin(), errors.end());
   CHECK(errors[errors.size() / 2] < 0.5 && errors[errors.size() * 95 / 100] < 1.5);
-  CHECK(std::is_sorted(warped.times_b.begin(), warped.times_b.end()));
+  for (const std::vector<double>* times : {&warped.times_a, &warped.times_b})
+    CHECK(std::adjacent_find(times->begin(), times->end(), std::greater_equal<double>()) == times->end());
   CHECK(warped.confidence > 0.5);
+
+  const Amf::Time_alignment back = Amf::align_animations(a, b); // neither comes first
+  for (double t : {0.4, 1.7, 3.1}) CHECK_NEAR(back.to_a(t), warped.to_b(t), 1e-6);
+
+  Amf::Alignment_options rough; // steps of a sample
+  rough.smoothing = 0;
+  const Amf::Time_alignment steps = Amf::align_animations(b, a, rough);
+  CHECK(steps.cost == warped.cost);
+  for (double t : steps.times_b) CHECK_NEAR(t / frame, std::round(t / frame), 1e-9);
+  CHECK_NEAR(steps.to_b(1.7), warp(1.7), 2 * frame);
+
+  // stands still for the second half: the map goes on smoothly to the end, which is that of the other one
+  const double still = 7.2;
+  const auto slow = [&](double t) { return t + 0.25 * still * std::sin(2 * pi * t / still) / (2 * pi); };
+  const Amf::Activity halting = motion(217, frame, same), slowed = motion(217, frame, slow);
+  const Amf::Time_alignment halted = Amf::align_animations(slowed, halting);
+  CHECK_NEAR(halted.to_b(still), still, 0.01 * frame);
+  double largest = 0;
+  for (double t = 0; t <= still; t += frame) largest = std::max(largest, std::abs(halted.to_b(t) - slow(t)) / frame);
+  CHECK(largest < 3);
+  // another one, that stands for longer than a slope of 3 allows, goes on alike
+  const Amf::Time_alignment longer = Amf::align_animations(motion(130, frame, same), motion(400, frame, same));
+  CHECK_NEAR(longer.to_b(4.2), 4.2, 3 * frame);
+
+  // what is slow, and held for long by a warp: the mean over time is another one, the map is not
+  const auto hold = [&](double t) { return t - 0.45 * D * std::sin(2 * pi * t / D) / (2 * pi); };
+  const auto bow = [&](const auto& clock) {
+    Field field(1, 109);
+    for (std::size_t f = 0; f < 109; ++f)
+      field(0, f) = 1 - std::cos(2 * pi * clock(double(f) * frame) / D);
+    return Amf::animation_activity(field, {1.}, {1.}, frame);
+  };
+  const Amf::Time_alignment bowed = Amf::align_animations(bow(hold), bow(same));
+  largest = 0;
+  for (double t = 0; t <= D; t += frame) largest = std::max(largest, std::abs(bowed.to_b(t) - hold(t)) / frame);
+  CHECK(largest < 1.5);
 
   // a part of it: open ends
   const Amf::Activity part = motion(60, frame, [&](double t) { return t + 0.9; });
@@ -428,7 +468,12 @@ void test_alignment()
   CHECK_NEAR(inside.to_b(1), 1.9, 1.5 * frame);
 
   const Amf::Activity other = motion(109, frame, same, 1);
-  CHECK(Amf::align_animations(a, other).confidence < 0.35);
+  const Amf::Time_alignment unlike = Amf::align_animations(a, other);
+  CHECK(unlike.confidence < 0.35);
+  for (std::size_t k = 1; k < unlike.times_a.size(); ++k) {
+    const double slope = (unlike.times_b[k] - unlike.times_b[k - 1]) / (unlike.times_a[k] - unlike.times_a[k - 1]);
+    CHECK(slope > 1 / 3.001 && slope < 3.001);
+  }
 
   // against the plain form, on the mean alone
   Amf::Alignment_options options;
@@ -448,6 +493,9 @@ void test_alignment()
   }
   options.max_slope = 0;
   CHECK_THROWS(Amf::Option_error, Amf::align_animations(x, y, options), "slope");
+  options.max_slope = 2;
+  options.smoothing = -1;
+  CHECK_THROWS(Amf::Option_error, Amf::align_animations(x, y, options), "smoothing");
   Amf::Activity_options finer;
   finer.sample_duration = 1. / 60;
   CHECK_THROWS(Amf::Option_error, Amf::align_animations(a, Amf::animation_activity(Field(1, 9), {1.}, {}, 0.1, finer)),
@@ -497,6 +545,20 @@ void test_distance()
   CHECK(still.level == 0 && still.cycle.period == 0);
   CHECK(Amf::animation_distance(still, still) == 0);
   CHECK(Amf::animation_distance(still, a) > 0.9);
+  const Amf::Activity twice = Amf::animation_activity(Field(5, 79), std::vector<double>(5, 1), {}, frame);
+  CHECK_NEAR(Amf::animation_distance(still, twice), 0.1, 1e-12); // but for the duration
+  // farther moved, twice as far, four times, and more
+  Amf::Distance_options far;
+  far.least_variation = 1e-9;
+  Amf::Activity near = a, moved = a;
+  moved.pose_variation = 0.1;
+  CHECK(Amf::animation_distance(near, moved, far) == 0); // one is not known
+  near.pose_variation = 0.05;
+  CHECK_NEAR(Amf::animation_distance(near, moved, far), 0.2, 1e-6);
+  near.pose_variation = 0.01;
+  CHECK_NEAR(Amf::animation_distance(near, moved, far), 0.4, 1e-6);
+  far.variation_weight = 1.1;
+  CHECK_THROWS(Amf::Option_error, Amf::animation_distance(near, moved, far), "weights");
   // what is there at all times, and adds in squares, is no motion
   Field clean(1, 40), noisy(1, 40);
   for (std::size_t f = 0; f < 40; ++f) {
@@ -514,6 +576,37 @@ void test_distance()
   CHECK(Amf::animation_distance(with, without, of_mean) > 0.05);
   CHECK_THROWS(Amf::Input_error, Amf::animation_activity(Field(5, 40), std::vector<double>(5, 1), {}, 1e-4), "samples");
   CHECK_THROWS(Amf::Option_error, Amf::animation_activity(Field(5, 40), std::vector<double>(4, 1), {}, 1), "areas");
+}
+
+// A cloud that grows and shrinks by a tenth, while it flies and spins: each frame is a tenth off the mean.
+void test_pose_variation()
+{
+  const std::size_t n = 40, frames = 10;
+  for (double size : {1., 1000.}) {
+    Amf::Vertex_trajectories<double> t{Field(n, frames), Field(n, frames), Field(n, frames)};
+    std::vector<double> areas(n);
+    std::vector<Eigen::Vector3d> points(n);
+    Eigen::Vector3d centre(0, 0, 0);
+    double area = 0;
+    for (std::size_t v = 0; v < n; ++v) {
+      areas[v] = size * size * (1 + double(v % 3));
+      points[v] = size * Eigen::Vector3d(std::sin(7. * double(v)), std::cos(3. * double(v)), std::sin(double(v * v)));
+      centre += areas[v] * points[v];
+      area += areas[v];
+    }
+    for (std::size_t v = 0; v < n; ++v)
+      for (std::size_t f = 0; f < frames; ++f) {
+        const Eigen::AngleAxisd spin(0.7 * double(f), Eigen::Vector3d(1, 2, 3).normalized());
+        const Eigen::Vector3d p = spin * ((f % 2 == 0 ? 0.9 : 1.1) * (points[v] - centre / area)) +
+                                  double(f) * size * Eigen::Vector3d(1, 0, -2);
+        t.x(v, f) = p[0];
+        t.y(v, f) = p[1];
+        t.z(v, f) = p[2];
+      }
+    CHECK_NEAR(Amf::pose_variation(t, areas), 0.1 / std::sqrt(1.01), 1e-6);
+    CHECK(Amf::pose_variation(t, std::vector<double>(n, 0.)) == 0);
+    CHECK_THROWS(Amf::Option_error, Amf::pose_variation(t, {1.}), "areas");
+  }
 }
 
 void test_cycles()
@@ -612,6 +705,7 @@ int main()
   test_alignment();
   test_cancelled();
   test_distance();
+  test_pose_variation();
   test_cycles();
   test_events();
   test_scaling();

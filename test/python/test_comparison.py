@@ -44,11 +44,13 @@ def test_same_as_program(pair, signatures):
     folder, a, _ = pair
     files = [amf.read_features(folder / f"{name}.json") for name in "ab"]
     options = ["--matched", 40, "--ratio", 0.95, "--mutual", "--max-slope", 2, "--end-weight", 0.5, "--bend-weight",
-               0.1, "--recurrence-weight", 1, "--distance-recurrence-weight", 2, "--cycle-weight", 0.3, "--rate", 24]
+               0.1, "--recurrence-weight", 1, "--distance-recurrence-weight", 2, "--cycle-weight", 0.3, "--variation-weight", 0.3,
+               "--duration-weight", 0.2, "--rate", 24]
     run("COMPARE_ANIMATIONS", folder / "a.json", folder / "b.json", "-q", "-o", folder / "pair.json", *options)
     expected = json.loads((folder / "pair.json").read_text())
     x, y = (amf.signature(f, rate=24) for f in files)
-    assert amf.animation_distance(x, y, distance_recurrence_weight=2, cycle_weight=0.3) == expected["distance"]
+    assert amf.animation_distance(x, y, distance_recurrence_weight=2, cycle_weight=0.3, variation_weight=0.3,
+                                  duration_weight=0.2) == expected["distance"]
     alignment = amf.align(x, y, max_slope=2, end_weight=0.5, bend_weight=0.1, recurrence_weight=1)
     for name, value in expected["alignment"].items():
         assert np.array_equal(getattr(alignment, name), value), name
@@ -58,7 +60,7 @@ def test_same_as_program(pair, signatures):
         assert np.array_equal(getattr(alignment, name), expected["events"][name]), name
     for side, s in (("a", x), ("b", y)):
         for name, value in (("vertices", s.number_of_vertices), ("frames", s.number_of_frames), ("period", s.period),
-                            ("cycle_strength", s.cycle_strength), ("features", len(s.features))):
+                            ("cycle_strength", s.cycle_strength), ("pose_variation", s.pose_variation), ("features", len(s.features))):
             assert expected[side][name] == value, (side, name)
     differences = amf.event_differences(x, y, alignment)
     assert differences["amplitude"].tolist() == [d["difference"] for d in expected["differences"]]
@@ -128,6 +130,13 @@ def test_the_same_and_another(pair, signatures, cylinder):
     places = amf.classical_scaling(matrix)
     assert places.shape == (3, 2)
     assert np.linalg.norm(places[0] - places[1]) < np.linalg.norm(places[0] - places[2])
+
+
+def test_cyclic(pair):
+    """is told to be taken as one that ends"""
+    file = amf.read_features(pair[0] / "a.json")
+    with pytest.warns(amf.Notice, match="cyclic"):
+        amf.signature(file._replace(parameters={**file.parameters, "cyclic": True}))
 
 
 def test_what_cannot_be_compared(pair, signatures):

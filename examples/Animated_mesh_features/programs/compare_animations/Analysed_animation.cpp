@@ -11,6 +11,8 @@
 #include "output/Pair_page.h"
 #include "running/Monitor.h"
 
+#include <CGAL/Animated_mesh_features/Animation/pose_variation.h>
+#include <CGAL/Animated_mesh_features/Animation/vertex_areas.h>
 #include <CGAL/Animated_mesh_features/Detection/Feature_point.h>
 
 #include <algorithm>
@@ -51,8 +53,12 @@ AMF::Animation_signature Analysed_animation::signature(const Settings& s) const
   const std::vector<AMF::Feature_point> features(m_detection.features.begin(), m_detection.features.end());
   const Sequence& sequence = m_animation.sequence();
   const auto make = [&](const auto& descriptor) {
-    return AMF::animation_signature(sequence.rest_shape(), m_fields.kept().front().values, sequence.frame_duration(),
-                                    features, s.activity, descriptor);
+    AMF::Animation_signature result =
+        AMF::animation_signature(sequence.rest_shape(), m_fields.kept().front().values, sequence.frame_duration(),
+                                 features, s.activity, descriptor);
+    result.activity.pose_variation =
+        AMF::pose_variation(sequence.trajectories(), AMF::vertex_areas(sequence.rest_shape()));
+    return result;
   };
   return s.is_oriented ? make(AMF::Oriented_gradient_histogram()) : make(AMF::Rotation_free_gradient_histogram());
 }

@@ -82,6 +82,9 @@ void add_comparison_options(Option_group& group, Settings& s)
   weight("distance-recurrence-weight", "and how much what was before and comes after (default: 1)",
          s.distance.alignment.recurrence_weight);
   weight("cycle-weight", "how much cycles count in the distance, from 0 to 1 (default: 0.1)", s.distance.cycle_weight);
+  weight("variation-weight", "and how much how far the body moves, from 0 to 1 (default: 0.4)",
+         s.distance.variation_weight);
+  weight("duration-weight", "and how much durations, from 0 to 1 (default: 0.1)", s.distance.duration_weight);
   group.add("matched", "N", "how many of the strongest features of each are matched (default: 150)",
             [&](const Argument& a) { s.matching.top = a.count(); });
   group.add(
@@ -99,6 +102,7 @@ void add_comparison_options(Option_group& group, Settings& s)
 void check_comparison(const Settings& s)
 {
   s.alignment.check();
+  s.distance.check();
   s.matching.check();
   s.activity.check();
 }

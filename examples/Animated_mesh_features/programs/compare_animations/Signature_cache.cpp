@@ -33,7 +33,7 @@ typedef nlohmann::json Cbor; // the same values in bytes
 namespace {
 
 // of the file's layout and of what is computed: files of another one are not found
-const int version = 1;
+const int version = 2;
 
 // Fowler, Noll and Vo's FNV-1a, 64 bits.
 class Hash
@@ -190,7 +190,8 @@ Cbor cbor_of(const AMF::Animation_signature& s)
           {"recurrence", a.recurrence},
           {"activity_places", a.places},
           {"period", a.cycle.period},
-          {"strength", a.cycle.strength}};
+          {"strength", a.cycle.strength},
+          {"pose_variation", a.pose_variation ? Cbor(*a.pose_variation) : Cbor(nullptr)}};
 }
 
 AMF::Animation_signature signature_of(const Cbor& j)
@@ -216,6 +217,7 @@ AMF::Animation_signature signature_of(const Cbor& j)
   j.at("activity_places").get_to(a.places);
   j.at("period").get_to(a.cycle.period);
   j.at("strength").get_to(a.cycle.strength);
+  if (!j.at("pose_variation").is_null()) a.pose_variation = j.at("pose_variation").get<double>();
   const std::size_t m = s.events.features.size();
   if (s.events.distances.size() != m * m || s.events.descriptors.size() != m || s.events.places.size() != m ||
       a.mean.size() != a.samples || a.recurrence.size() != 2 * a.samples * a.lags ||

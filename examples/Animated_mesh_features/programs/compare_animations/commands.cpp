@@ -82,7 +82,8 @@ Json json_of(const std::string& name, const Signature& s)
           {"frame_duration", s.frame_duration},
           {"features", s.events.features.size()},
           {"period", s.activity.cycle.period},
-          {"cycle_strength", s.activity.cycle.strength}};
+          {"cycle_strength", s.activity.cycle.strength},
+          {"pose_variation", s.activity.pose_variation ? Json(*s.activity.pose_variation) : Json(nullptr)}};
 }
 
 Json json_of(const AMF::Feature_match& m, const Signature& a, const Signature& b)

@@ -21,6 +21,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <variant>
 
 namespace AMF = CGAL::Animated_mesh_features;
 using namespace Programs;
@@ -44,6 +45,13 @@ void check_units(const AMF::IO::Feature_file_data& data, const std::string& file
     throw AMF::Input_error(file + ": features are " + std::to_string(extent) +
                            " apart at rest, and the bounding box has a diagonal of " +
                            std::to_string(data.description.bounding_box_diagonal) + ": lengths have different units");
+}
+
+bool is_cyclic(const AMF::IO::Result_description& d)
+{
+  for (const auto& [name, value] : d.parameters)
+    if (const bool* flag = std::get_if<bool>(&value); name == "cyclic" && flag != nullptr) return *flag;
+  return false;
 }
 
 // Errors of what knows of no files name `file`.
@@ -70,6 +78,9 @@ Signature signature_of_features(const Item& item, const Settings& s)
     throw AMF::Input_error(item.feature_file + ": the animation has " + std::to_string(d.frames) +
                            " frames, or no size, or no time between frames; there is nothing to compare");
   check_units(data, item.feature_file);
+  if (!s.run.quiet && is_cyclic(d))
+    tell(item.feature_file + ": the animation is cyclic (--cyclic); it is compared as one that ends, from the first frame "
+                             "to the last\n");
   return named(item.feature_file, [&] {
     return AMF::animation_signature(data.features, d.vertices, d.frames, d.frame_duration, d.bounding_box_diagonal,
                                     s.activity);

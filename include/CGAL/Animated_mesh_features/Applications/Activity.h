@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -82,6 +83,9 @@ struct Activity
   std::vector<float> places;     ///< `T x P`
 
   Cycle cycle; ///< of the whole motion
+
+  /// how far the body moves, see `pose_variation()`, which takes positions; none if only a field is known.
+  std::optional<double> pose_variation;
 
   /// from the first to the last sample (s).
   double duration() const { return samples > 0 ? double(samples - 1) * sample_duration : 0; }

@@ -38,9 +38,12 @@ struct Alignment_options
   /// cost nothing, 1 for two takes of the whole motion.
   double end_weight = 1;
 
-  /// what it costs that a sample has no partner of its own, in units of the mean length of a sample's vector: where
-  /// nothing moves, the clocks run alike.
+  /// what it costs that a sample has no partner of its own, in units of the mean length of a sample's vector.
   double bend_weight = 0.02;
+
+  /// how smooth the map is (s): changes of speed within less than that count more than what moves. 0: the way as it is, in
+  /// steps of a sample, which is faster.
+  double smoothing = 1. / 15;
 
   /// by how many rearrangements the confidence is found; 0: none, which is faster.
   std::size_t surrogates = 8;
@@ -54,6 +57,7 @@ struct Alignment_options
     if (!(mean_weight + recurrence_weight > 0)) throw Option_error("mean and recurrence must not both count nothing");
     if (max_slope < 1 || max_slope > 100) throw Option_error("the slope of an alignment is from 1 to 100");
     if (!(bend_weight >= 0)) throw Option_error("the weight of bends must not be negative");
+    if (!(smoothing >= 0)) throw Option_error("the smoothing of an alignment must not be negative");
     if (!(end_weight >= 0 && end_weight <= 1)) throw Option_error("the weight of ends is from 0 to 1");
   }
 };

@@ -11,7 +11,6 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -25,7 +24,7 @@ Which time of one animation is which of another one: a map that ascends, linear 
 struct Time_alignment
 {
   std::vector<double> times_a; ///< seconds, strictly ascending
-  std::vector<double> times_b; ///< seconds, ascending, as many
+  std::vector<double> times_b; ///< seconds, strictly ascending, as many
   double cost = 0;             ///< from 0 for the same motion to 1
   double confidence = 0;       ///< from 0, no better than by chance, to 1
 
@@ -50,34 +49,6 @@ private:
     return to[i - 1] + fraction * (to[i] - to[i - 1]);
   }
 };
-
-namespace internal {
-
-// The pairs of a way, evened out by a Gaussian of two samples along it, which takes the stairs out of it; the ends
-// stay.
-inline void set_map(const std::vector<std::pair<std::size_t, std::size_t>>& path, double sample_duration,
-                    Time_alignment& result)
-{
-  const std::ptrdiff_t n = std::ptrdiff_t(path.size()), reach = 5;
-  const double deviation = 2;
-  for (std::ptrdiff_t i = 0; i < n; ++i) {
-    // as far on either side, so that the ends stay
-    const std::ptrdiff_t half = (std::min)({reach, i, n - 1 - i});
-    double a = 0, b = 0, sum = 0;
-    for (std::ptrdiff_t k = -half; k <= half; ++k) {
-      const double weight = std::exp(-double(k * k) / (2 * deviation * deviation));
-      a += weight * double(path[std::size_t(i + k)].first);
-      b += weight * double(path[std::size_t(i + k)].second);
-      sum += weight;
-    }
-    const double time = a / sum * sample_duration;
-    if (!result.times_a.empty() && !(time > result.times_a.back())) continue;
-    result.times_a.push_back(time);
-    result.times_b.push_back((std::max)(b / sum * sample_duration, result.times_b.empty() ? 0 : result.times_b.back()));
-  }
-}
-
-} // namespace internal
 
 } // namespace Animated_mesh_features
 } // namespace CGAL

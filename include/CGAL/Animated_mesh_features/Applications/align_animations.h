@@ -11,6 +11,7 @@
 #include <CGAL/Animated_mesh_features/Applications/Alignment_options.h>
 #include <CGAL/Animated_mesh_features/Applications/Time_alignment.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/Activity_cost.h>
+#include <CGAL/Animated_mesh_features/Applications/internal/Time_refinement.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/Time_warping.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/cyclic_phase.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/surrogates.h>
@@ -29,7 +30,10 @@ namespace Animated_mesh_features {
 
 finds the monotone map of time by which two motions are most alike: dynamic time warping (Sakoe and Chiba
 \cgalCite{sakoe1978}) of their activities, with a limited slope and, where one of them begins or ends in the middle of
-the other, open ends.
+the other, open ends. A smooth map is then made of it, to a fraction of a sample, as curves are registered (Ramsay and Li
+\cgalCite{ramsay1998}): the one by which the activities are most alike, less what its bends cost. Where nothing moves and
+no map is better than another, it bends least between what moves before and after; beginnings, and ends, of two animations
+that are both still belong together, unless one is still for longer than the slope allows.
 
 The confidence is \f$\max(1 - (c / \bar c)^2, 0)\f$, where \f$\bar c\f$ is the mean cost of surrogates, the second
 animation backwards and with its pieces of a third of a second in another order, which have the same activity at other
@@ -52,7 +56,16 @@ inline Time_alignment align_animations(const Activity& a, const Activity& b,
   const internal::Time_warping warping(a.samples, b.samples, cost, options.max_slope, options.end_weight, bend_cost);
   Time_alignment result;
   result.cost = cost.relative(warping.cost());
-  internal::set_map(warping.path(), a.sample_duration, result);
+  const auto add = [&](double sample_of_a, double sample_of_b) {
+    result.times_a.push_back(sample_of_a * a.sample_duration);
+    result.times_b.push_back(sample_of_b * a.sample_duration);
+  };
+  if (options.smoothing > 0) {
+    const internal::Time_refinement map(cost, warping.path(), options.smoothing / a.sample_duration, options.max_slope);
+    for (std::size_t k = 0; k < map.size(); ++k) add(map.a(k), map.b(k));
+  } else {
+    for (const auto& [i, j] : warping.path()) add(double(i), double(j));
+  }
   if (options.surrogates > 0) {
     std::vector<double> others;
     for (std::size_t k = 0; k < options.surrogates; ++k) {

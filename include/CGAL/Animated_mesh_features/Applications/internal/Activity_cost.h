@@ -9,6 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Applications/Activity.h>
 #include <CGAL/Animated_mesh_features/Applications/Alignment_options.h>
+#include <CGAL/Animated_mesh_features/Applications/internal/Vector_sequence.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <algorithm>
@@ -26,12 +27,14 @@ class Activity_cost
 {
 public:
   Activity_cost(const Activity& a, const Activity& b, const Alignment_options& o)
-    : m_width(1 + 2 * a.lags + (a.classes == b.classes && o.place_weight > 0 ? a.classes : 0))
+    : m_recurrence(2 * a.lags)
+    , m_width(1 + 2 * a.lags + (a.classes == b.classes && o.place_weight > 0 ? a.classes : 0))
   {
     if (std::abs(a.sample_duration - b.sample_duration) > 1e-9 * a.sample_duration || a.lags != b.lags)
       throw Option_error("two activities have different times between samples, or different lags");
     if (a.samples == 0 || b.samples == 0) throw Option_error("an activity has no samples");
     const bool has_places = a.classes == b.classes && a.classes > 0 && o.place_weight > 0;
+    m_has_instants = has_places || o.mean_weight > 0;
     m_a = vectors(a, o, has_places);
     m_b = vectors(b, o, has_places);
     m_norm = norm(m_a) + norm(m_b);
@@ -45,6 +48,18 @@ public:
     return std::sqrt(double(squares));
   }
 
+  // Without what compares a sample with others before and after, if there is anything else: that is changed by a warp.
+  Vector_sequence instants_of_a() const { return instants(m_a); }
+  Vector_sequence instants_of_b() const { return instants(m_b); }
+
+  // how many numbers each group of these has
+  std::vector<std::size_t> groups_of_instants() const
+  {
+    if (!m_has_instants) return {1, m_recurrence};
+    return m_width > 1 + m_recurrence ? std::vector<std::size_t>{1, m_width - 1 - m_recurrence}
+                                      : std::vector<std::size_t>{1};
+  }
+
   // the mean length of the vectors of both
   double mean_norm() const { return m_norm / double((m_a.size() + m_b.size()) / m_width); }
 
@@ -52,6 +67,16 @@ public:
   double relative(double sum) const { return m_norm > 0 ? (std::min)(sum / m_norm, 1.) : 0; }
 
 private:
+  Vector_sequence instants(const std::vector<float>& vectors) const
+  {
+    if (!m_has_instants) return Vector_sequence(vectors, m_width);
+    std::vector<float> result;
+    for (std::size_t begin = 0; begin < vectors.size(); begin += m_width)
+      for (std::size_t k = 0; k < m_width; ++k)
+        if (k == 0 || k > m_recurrence) result.push_back(vectors[begin + k]);
+    return Vector_sequence(result, m_width - m_recurrence);
+  }
+
   std::vector<float> vectors(const Activity& a, const Alignment_options& o, bool has_places) const
   {
     std::vector<float> result;
@@ -99,7 +124,8 @@ private:
     return sum;
   }
 
-  std::size_t m_width;
+  std::size_t m_recurrence, m_width; // numbers of a vector: the mean, the recurrence, and places if there are any
+  bool m_has_instants = false;
   std::vector<float> m_a, m_b;
   double m_norm = 0;
 };
