@@ -85,8 +85,8 @@ def write_animation(mesh, cache, frames, faces=None, *, rest=None, frame_duratio
             raise TypeError("frame_duration and fps exclude each other")
         if frame_duration is None:
             frame_duration = 1 / (30.0 if fps is None else float(fps))
-        arrays = _frames(frames)
-        arrays = arrays[0] if arrays and arrays[0].ndim == 3 else arrays
+        given = _frames(frames)
+        arrays: Any = given[0] if given and given[0].ndim == 3 else given
         number = len(arrays)
         if number == 0:
             raise InputError("frames: there are none")
