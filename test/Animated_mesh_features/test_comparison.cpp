@@ -449,8 +449,7 @@ void test_alignment()
   const auto hold = [&](double t) { return t - 0.45 * D * std::sin(2 * pi * t / D) / (2 * pi); };
   const auto bow = [&](const auto& clock) {
     Field field(1, 109);
-    for (std::size_t f = 0; f < 109; ++f)
-      field(0, f) = 1 - std::cos(2 * pi * clock(double(f) * frame) / D);
+    for (std::size_t f = 0; f < 109; ++f) field(0, f) = 1 - std::cos(2 * pi * clock(double(f) * frame) / D);
     return Amf::animation_activity(field, {1.}, {1.}, frame);
   };
   const Amf::Time_alignment bowed = Amf::align_animations(bow(hold), bow(same));
