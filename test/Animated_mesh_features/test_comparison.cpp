@@ -437,7 +437,7 @@ void test_alignment()
   const auto slow = [&](double t) { return t + 0.25 * still * std::sin(2 * pi * t / still) / (2 * pi); };
   const Amf::Activity halting = motion(217, frame, same), slowed = motion(217, frame, slow);
   const Amf::Time_alignment halted = Amf::align_animations(slowed, halting);
-  CHECK_NEAR(halted.to_b(still), still, 0.01 * frame);
+  CHECK_NEAR(halted.to_b(still), still, 1e-9);
   double largest = 0;
   for (double t = 0; t <= still; t += frame) largest = std::max(largest, std::abs(halted.to_b(t) - slow(t)) / frame);
   CHECK(largest < 3);

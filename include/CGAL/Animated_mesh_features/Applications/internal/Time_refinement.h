@@ -167,6 +167,8 @@ private:
       after[k - 1] += m_bend;
     }
     solve(diagonal, next, after, right);
+    if (m_is_begin_fixed) right.front() = m_begin; // to the last bit
+    if (m_is_end_fixed) right.back() = m_end;
     const double before = energy(m_offsets);
     for (double length = 1; length > 0.05; length /= 2) {
       std::vector<double> d(n);
