@@ -48,7 +48,6 @@ public:
   const Shape_data& shape() const { return *m_shape; }
   double frame_duration() const { return m_frame_duration; }
   const Animation_data* animation() const { return m_animation.get(); } // null if there is but a field
-  bool is_cyclic() const { return m_method.is_cyclic; }
 
   // null if it was not kept
   const Programs::Values* field(Programs::Field kind) const;

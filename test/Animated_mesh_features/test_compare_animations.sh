@@ -97,6 +97,17 @@ check "[x['name'] for x in matrix['animations']] == ['a', 'b', 'c'] and all(x['p
        and matrix['distances'][0][1] < 0.5 * matrix['distances'][0][2]" matrix
 expect 0 "" matrix list.txt -o threads.json # without the cache, on all threads
 check "matrix['distances'] == threads['distances']" matrix threads
+# a picture: of each pair a field of the matrix, of each animation a place in the plane, and its name in the PDF
+if ! "$program" matrix list.txt --cache . -q --plot matrix.svg 2>&1 | grep -q "built without pictures"; then
+  expect 0 "" matrix list.txt --cache . --plot matrix.pdf
+  expect 0 "" matrix list.txt --cache . --plot again.svg --threads 1
+  [[ -s matrix.svg ]] && cmp matrix.svg again.svg || fail "another picture of the same matrix"
+  [[ $(head -c 5 matrix.pdf) == "%PDF-" ]] || fail "matrix.pdf is no PDF"
+  expect 0 "" matrix list.txt a.json --cache . --plot more.svg
+  [[ $(grep -c "<path" more.svg) -gt $(($(grep -c "<path" matrix.svg) + 6)) ]] || fail "four animations have no more fields than three"
+  expect 2 ".svg, .pdf, .png" matrix list.txt --plot matrix.txt
+  expect 2 "goes with matrix" a.json a.json --plot pair.svg
+fi
 expect 0 "" query set/a.pc2 list.txt --cache . -o query.json
 check "[r['name'] for r in query['ranking']] == ['a', 'b', 'c'] and query['ranking'][0]['distance'] == 0" query
 mkdir other && cp a.json other/a.json && echo '{"format": "animated-mesh-features", "version": 99}' >other/z.json

@@ -72,8 +72,8 @@ private:
     };
     const std::pair<double, double> x = moving(m_x), y = moving(m_y);
     m_is_begin_fixed = double(a0) <= x.first && double(b0) <= y.first && belong_together(x.first, y.first);
-    m_is_end_fixed = double(a1) >= x.second && double(b1) >= y.second &&
-                     belong_together(last_a - x.second, last_b - y.second);
+    m_is_end_fixed =
+        double(a1) >= x.second && double(b1) >= y.second && belong_together(last_a - x.second, last_b - y.second);
     if (m_is_begin_fixed && a0 + b0 > 0) add(0, 0);
     for (const auto& [a, b] : path) add(double(a), double(b));
     if (m_is_end_fixed && double(a1 + b1) < last_a + last_b) add(last_a, last_b);
@@ -167,6 +167,8 @@ private:
       after[k - 1] += m_bend;
     }
     solve(diagonal, next, after, right);
+    if (m_is_begin_fixed) right.front() = m_begin; // to the last bit
+    if (m_is_end_fixed) right.back() = m_end;
     const double before = energy(m_offsets);
     for (double length = 1; length > 0.05; length /= 2) {
       std::vector<double> d(n);
