@@ -88,6 +88,23 @@ void test_noise_is_measured()
                                });
   };
   CHECK(of_few(12, 3) > 0 && of_few(11, 3) == 0 && of_few(12, 2) == 0);
+
+  // A body that turns by 30 degrees from frame to frame: its edges turn, the mean of a ring stays near its vertex.
+  Frames turning;
+  for (std::size_t f = 0; f < 24; ++f) {
+    const double c = std::cos(0.52 * double(f)), d = std::sin(0.52 * double(f));
+    std::vector<Point_3> frame;
+    for (const Point_3& p : s.sphere.rest) frame.emplace_back(c * p.x() - d * p.y(), d * p.x() + c * p.y(), p.z());
+    turning.push_back(frame);
+  }
+  const auto sequence = s.sequence(turning);
+  std::vector<std::array<std::size_t, 2>> edges;
+  for (const auto& e : sequence.rest_shape().edges()) edges.push_back({{e.source, e.target}});
+  const auto& positions = sequence.trajectories();
+  const double by_edges =
+      Amf::position_noise(edges, 24, [&](std::size_t v, std::size_t f) { return positions.point(v, f); });
+  CHECK(by_edges > 0.03 * edge);
+  CHECK(Amf::position_noise(sequence.rest_shape(), positions) < 0.2 * by_edges);
 }
 
 // What moves as an affine image of the reference shape stays where it is, wherever that is.
