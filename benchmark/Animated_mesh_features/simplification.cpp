@@ -5,7 +5,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // simplification MESH.obj CACHE.pc2 [--rest REST.obj] [--features FEATURES.json] [--shares 0.5,0.1,0.03] [--step N]
-//   [--only NAME,...] [--line W] [--cosine C] [--support K] [--write FOLDER]
+//   [--only NAME,...] [--line W] [--cosine C] [--support K] [--refinements R] [--guidance 4,16] [--write FOLDER]
 //
 // Simplifies an animation by several methods and prints how far each is from the original: CGAL's Garland-Heckbert and
 // meshoptimizer on the rest shape, quadrics of a random pose, of all frames, of chosen poses, with guidance by
@@ -271,10 +271,11 @@ int main(int argc, char* argv[])
   if (argc < 3) {
     std::cerr
         << "simplification MESH.obj CACHE.pc2 [--rest REST.obj] [--features FEATURES.json] [--shares 0.5,0.1,0.03] "
-           "[--step N] [--only NAME,...] [--line W] [--cosine C] [--support K] [--write FOLDER]\n";
+           "[--step N] [--only NAME,...] [--line W] [--cosine C] [--support K] [--refinements R] [--guidance 4,16] "
+           "[--write FOLDER]\n";
     return 2;
   }
-  std::map<std::string, std::string> options = {{"--shares", "0.5,0.1,0.03"}, {"--step", "1"}};
+  std::map<std::string, std::string> options = {{"--shares", "0.5,0.1,0.03"}, {"--step", "1"}, {"--guidance", "4,16"}};
   for (int i = 3; i + 1 < argc; i += 2) options[argv[i]] = argv[i + 1];
   const Amf::IO::Animation_file_data<float> data = Amf::IO::read_animation<float>({argv[1], argv[2]});
   const Mesh mesh = Amf::IO::to_surface_mesh(data.mesh, argv[1]);
@@ -309,6 +310,7 @@ int main(int argc, char* argv[])
   number("--line", base.line_weight);
   number("--cosine", base.least_cosine);
   if (!options["--support"].empty()) base.support = std::stoul(options["--support"]);
+  if (!options["--refinements"].empty()) base.refinements = std::stoul(options["--refinements"]);
   std::istringstream shares(options["--shares"]);
   std::vector<double> ratios;
   for (std::string share; std::getline(shares, share, ',');) ratios.push_back(std::stod(share));
@@ -373,9 +375,11 @@ int main(int argc, char* argv[])
     }
     o.preferred_poses.clear();
     o.poses = s.number_of_frames();
-    for (double strength : {1., 4., 16.})
-      ours("guided " + std::to_string(int(strength)) + ", all", o,
-           Amf::Feature_guidance(s.rest_shape(), s.number_of_frames(), s.frame_duration(), features, strength));
+    std::istringstream strengths(options["--guidance"]);
+    for (std::string strength; std::getline(strengths, strength, ',');)
+      ours("guided " + strength + ", all", o,
+           Amf::Feature_guidance(s.rest_shape(), s.number_of_frames(), s.frame_duration(), features,
+                                 std::stod(strength)));
   }
   return 0;
 }

@@ -105,7 +105,7 @@ class Simplification:
 
 @documented
 def simplify(frames, faces=None, *, vertices=None, ratio=None, lods=None, error=None, poses=None, features=None,
-             guidance=None, normals=None, support=None, measure=True, frame_duration=None, fps=None, rest=None,
+             guidance=None, normals=None, support=None, refinements=None, measure=True, frame_duration=None, fps=None, rest=None,
              rescale_rest=False, triangulate=False, weld="auto", repair=False, skip_bad_frames=False,
              denoise=None, memory=None,
              scratch=None, threads=None, visitor=None) -> Simplification:
@@ -143,6 +143,9 @@ def simplify(frames, faces=None, *, vertices=None, ratio=None, lods=None, error=
         the most by which a collapse may turn a normal in any frame, in degrees below 90, by default 78.5.
     support : int, optional
         the most vertices of the original that one vertex follows, up to 64, by default 8.
+    refinements : int, optional
+        how often the places of a level's vertices are refined by the distances between both surfaces, by default 6,
+        with `error` 1.
     measure : bool
         whether errors are measured, in all frames, which takes several times as long as the simplification.
     {resources}
@@ -159,7 +162,7 @@ def simplify(frames, faces=None, *, vertices=None, ratio=None, lods=None, error=
         raise OptionError("guidance goes with features")
     chosen = _features(np.zeros(0, dtype=_core.feature_dtype) if features is None else features)
     own = {name: keywords.pop(name) for name in ("vertices", "ratio", "lods", "error", "poses", "guidance", "normals",
-                                                 "support")}
+                                                 "support", "refinements")}
     if keywords["denoise"] is None and not isinstance(frames, Animation):
         keywords["denoise"] = "never"  # what is to be simplified is what was given, as in the program
     animation = animation_of(frames, faces, dict(keywords, visitor=visitor))

@@ -25,7 +25,7 @@ Simplification_data::Simplification_data(std::shared_ptr<const Animation_data> a
   const Options o = options_of(arguments, SIMPLIFICATION);
   const Programs::Thread_limit limit(o.run.threads);
   const Programs::Sequence& sequence = m_animation->sequence();
-  AMF::Simplification_options method = o.simplification.method;
+  AMF::Simplification_options method = simplification_options(o.simplification);
   method.vertices = wanted_levels(o.simplification, sequence.rest_shape());
   m_result =
       Simplify_animation::simplify(sequence, method, features, o.simplification.strength.value_or(0),

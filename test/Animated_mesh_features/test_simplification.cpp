@@ -227,8 +227,9 @@ void test_binding()
 void test_topology()
 {
   Shape s = torus(16, 40, 3, 1);
-  s.add(torus(12, 24, 2, .5), Vec(0, 0, 6));
-  s.add(sphere(3), Vec(0, 0, 12));
+  // beside each other: where surfaces cross, what is nearest may look the other way
+  s.add(torus(12, 24, 2, .5), Vec(8, 0, 0));
+  s.add(sphere(3), Vec(13, 0, 0));
   const Animation a(s, walking(s.points, 6));
   const auto result = simplified(a, wanted({700, 60}));
   for (const Amf::Animation_level& level : result.levels) {
@@ -245,6 +246,65 @@ void test_topology()
   for (const Amf::Animation_level& level : result.levels)
     for (const auto& e : errors(a, level, true)) CHECK(e.turned == 0 && e.turned_in_original == 0);
   for (const auto& e : errors(a, result.levels[0])) CHECK(e.turned == 0);
+}
+
+// Refined places bring both surfaces nearer to each other, in no frame by turning a triangle over.
+void test_refinement()
+{
+  const Shape s = torus(24, 60, 3, 1);
+  const Animation a(s, walking(s.points, 6));
+  Amf::Simplification_options o = wanted({1440, 300, 100});
+  o.refinements = 0;
+  const auto plain = simplified(a, o);
+  o.refinements = 6;
+  const auto refined = simplified(a, o);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto before = errors(a, plain.levels[k], true), after = errors(a, refined.levels[k], true);
+    CHECK(Amf::worst_frame(after).mean() <= (k == 0 ? 1e-6 : .9 * Amf::worst_frame(before).mean()));
+    for (std::size_t f = 0; f < 6; ++f) {
+      CHECK(after[f].turned == 0);
+      // either surface is near the other one: no vertex went away to where nothing holds it
+      CHECK(after[f].mean_to_coarse <= before[f].mean_to_coarse + 1e-6 &&
+            after[f].mean_to_original <= before[f].mean_to_original + 1e-6);
+    }
+  }
+
+  // The mesh itself follows, fixed vertices and borders stay.
+  const Shape flat = sheet(12);
+  const Animation b(flat, folded(flat.points, 4, 1.));
+  o = wanted({40});
+  o.fixed_vertices = {84};
+  Amf::internal::Collapsed_mesh mesh = Amf::internal::mesh_to_collapse(b.sequence);
+  const auto index = get(CGAL::vertex_index, mesh);
+  const Amf::Rest_shape& rest = b.sequence.rest_shape();
+  Amf::Animation_collapse<Amf::internal::Collapsed_mesh, std::decay_t<decltype(index)>> collapse(
+      mesh, index, rest, b.sequence.trajectories(), o);
+  const auto cost = collapse.cost();
+  const auto placement = collapse.placement();
+  const auto filter = collapse.filter();
+  std::size_t left = flat.points.size();
+  const Amf::Unwatched_simplification watch;
+  const Amf::internal::Collapse_counter<Amf::Unwatched_simplification> counter(left, left, 40, watch);
+  CGAL::Surface_mesh_simplification::edge_collapse(
+      mesh, Amf::internal::Vertex_count_stop(left, 40),
+      CGAL::parameters::get_cost(cost).get_placement(placement).filter(filter).visitor(collapse.visitor(counter)));
+  const auto points = [&] {
+    Points p;
+    for (auto v : mesh.vertices()) p.emplace_back(mesh.point(v)[0], mesh.point(v)[1], mesh.point(v)[2]);
+    return p;
+  };
+  const Points before = points();
+  for (int i = 0; i < 4; ++i) collapse.refine(mesh, rest);
+  CHECK(points() != before);
+  std::size_t k = 0;
+  for (auto v : mesh.vertices()) {
+    Amf::Vertex_binding binding;
+    collapse.bind(v, binding);
+    const Vec p = binding.position(0, rest.points()), now(mesh.point(v)[0], mesh.point(v)[1], mesh.point(v)[2]);
+    CHECK((p - now).norm() < 1e-6);
+    if (CGAL::is_border(v, mesh) || std::size_t(v) == 84) CHECK(now == before[k]);
+    ++k;
+  }
 }
 
 // Far away from the origin single precision has other digits to lose.
@@ -404,7 +464,9 @@ void test_guidance()
   const auto near_top = [&](double strength) {
     const Amf::Feature_guidance guidance(a.sequence.rest_shape(), 5, .1, features, strength);
     CHECK_NEAR(guidance(top, 2), 1 + strength, 1e-6 * (1 + strength));
-    const auto result = Amf::simplify_animation(a.sequence, wanted({80}), guidance);
+    Amf::Simplification_options o = wanted({80});
+    o.refinements = 0; // how many there are, not where they go
+    const auto result = Amf::simplify_animation(a.sequence, o, guidance);
     std::size_t n = 0;
     for (const Vec& p : result.levels[0].binding.positions(s.points)) n += (p - s.points[top]).norm() < .6 ? 1 : 0;
     return n;
@@ -491,6 +553,7 @@ int main()
   test_fold();
   test_binding();
   test_topology();
+  test_refinement();
   test_moved_far_away();
   test_errors();
   test_nearest();

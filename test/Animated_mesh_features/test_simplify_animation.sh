@@ -210,6 +210,7 @@ expect 2 "takes" in.obj in.pc2 --vertices 2 -o x
 expect 2 "--guidance" in.obj in.pc2 --ratio 0.5 --guidance 3 -o x
 expect 2 "--normals" in.obj in.pc2 --ratio 0.5 --normals 90 -o x
 expect 2 "--support" in.obj in.pc2 --ratio 0.5 --support 0 -o x
+expect 2 "--refinements" in.obj in.pc2 --ratio 0.5 --refinements -1 -o x
 expect 2 "--poses" in.obj in.pc2 --ratio 0.5 --poses 0 -o x
 expect 2 "would be lost" in.obj in.pc2 --ratio 0.5 -o in
 expect 2 "--also" in.obj in.pc2 --ratio 0.5 --also other.pc2 --format ply -o x

@@ -9,7 +9,7 @@
 \cgalConcept
 
 The concept `CollapseGuidance` describes where and when the surface of an animated mesh matters more, or less, while the
-mesh is simplified: a factor for the quadrics of a vertex in a pose.
+mesh is simplified: a factor for the quadrics of a vertex in a pose, and for distances there when places are refined.
 
 A model may be called from several threads at the same time.
 
@@ -21,7 +21,8 @@ A model may be called from several threads at the same time.
 class CollapseGuidance
 {
 public:
-  /// how much the surface around a vertex matters in a frame, positive; asked once for each vertex and pose.
+  /// how much the surface around a vertex matters in a frame, positive and always the same; asked for each vertex
+  /// and pose, again each time that places are refined.
   /// \param vertex rank in `vertices(mesh)`.
   /// \param frame from 0.
   double operator()(std::size_t vertex, std::size_t frame) const;

@@ -17,6 +17,7 @@
 #include <sstream>
 
 using CGAL::Animated_mesh_features::Option_error;
+using CGAL::Animated_mesh_features::Simplification_options;
 using Programs::Argument;
 using Programs::Option_group;
 using Programs::Option_groups;
@@ -80,6 +81,14 @@ void add_target_options(Option_group& target, Command_line& o)
       [&](const Argument& a) { o.error = a.positive_number(); });
 }
 
+Simplification_options simplification_options(const Command_line& o)
+{
+  Simplification_options result = o.method;
+  if (o.error) result.refinements = 1; // levels are many, and each is near the one before
+  result.refinements = o.refinements.value_or(result.refinements);
+  return result;
+}
+
 void check_target(const Command_line& o)
 {
   const int targets = int(!o.vertices.empty()) + int(!o.ratios.empty()) + int(o.error.has_value());
@@ -111,6 +120,10 @@ void add_simplification_options(Option_group& method, Command_line& o)
                o.method.support = a.count();
                if (o.method.support == 0 || o.method.support > 64) a.refuse("is not from 1 to 64");
              });
+  method.add("refinements", "N",
+             "how often the places of a level's vertices are refined by the distances between both surfaces "
+             "(default: 6, with --error 1)",
+             [&](const Argument& a) { o.refinements = a.count(); });
   method.add_switch(
       "keep-seams", o.keep_seams,
       "of a model in glTF: leave alone the vertices along which its texture is cut; a GLB then has texture "

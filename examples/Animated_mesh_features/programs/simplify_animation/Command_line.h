@@ -44,7 +44,8 @@ struct Command_line
   std::optional<double> error; // % of the diagonal
 
   CGAL::Animated_mesh_features::Simplification_options method;
-  std::string features; // file; empty: none
+  std::optional<std::size_t> refinements; // none: as suits the target
+  std::string features;                   // file; empty: none
   std::optional<double> strength;
   std::vector<std::string> further; // point caches of other animations of the mesh
 
@@ -64,6 +65,9 @@ void check_target(const Command_line& options);
 
 // How it is chosen what is left.
 void add_simplification_options(Programs::Option_group& group, Command_line& options);
+
+// All of that but the numbers of vertices.
+CGAL::Animated_mesh_features::Simplification_options simplification_options(const Command_line& options);
 
 // throws Option_error.
 Command_line parse_command_line(int argc, const char* const* argv);

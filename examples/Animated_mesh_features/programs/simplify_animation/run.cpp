@@ -157,7 +157,7 @@ void run(const Command_line& o)
   const Programs::Sequence& sequence = animation.sequence();
   const Features features = read_features(o.features, animation);
 
-  AMF::Simplification_options method = o.method;
+  AMF::Simplification_options method = simplification_options(o);
   method.vertices = wanted_levels(o, sequence.rest_shape());
   const Source_model source = source_model(o, animation);
   if (source.texture) method.fixed_vertices = source.texture->seam_vertices();

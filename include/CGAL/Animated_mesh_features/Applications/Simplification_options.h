@@ -47,6 +47,10 @@ struct Simplification_options
   /// motion from outside of the surface.
   std::size_t support = 8;
 
+  /// how often the places of a level's vertices are refined by the distances between both surfaces, see
+  /// `Animation_collapse::refine()`; coarser levels go on from there. 0: never.
+  std::size_t refinements = 6;
+
   /// vertices that stay, by rank in `vertices(mesh)`, in any order.
   std::vector<std::size_t> fixed_vertices;
 };

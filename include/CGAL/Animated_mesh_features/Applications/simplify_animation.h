@@ -98,9 +98,13 @@ struct Collapse_counter : CGAL::Surface_mesh_simplification::Edge_collapse_visit
   template <class Profile, class Cost, class Size>
   void OnSelected(const Profile&, const Cost&, Size, Size)
   {
-    if (++m_selected % 256 != 0) return;
+    if (++m_selected % 256 == 0 && !(*m_watch)(done())) throw Cancelled();
+  }
+
+  double done() const
+  {
     const double done = double(m_from - *m_vertices), all = double(m_from > m_to ? m_from - m_to : 1);
-    if (!(*m_watch)((std::min)(1., .1 + .9 * done / all))) throw Cancelled();
+    return (std::min)(1., .1 + .9 * done / all);
   }
 
   template <class Profile, class Vertex>
@@ -184,11 +188,16 @@ Simplified_animation simplify_animation(const Animation& animation, const Simpli
   Simplified_animation result;
   result.poses = collapse.poses();
   const std::size_t from = vertices, last = options.vertices.back();
+  const internal::Collapse_counter<Watch> counter(vertices, from, last, watch);
   for (std::size_t target : options.vertices) {
-    const internal::Collapse_counter<Watch> counter(vertices, from, last, watch);
+    const std::size_t before = vertices;
     SMS::edge_collapse(
         mesh, internal::Vertex_count_stop(vertices, target),
         CGAL::parameters::get_cost(cost).get_placement(placement).filter(filter).visitor(collapse.visitor(counter)));
+    for (std::size_t k = 0; k < options.refinements && vertices < before; ++k) {
+      if (!watch(counter.done())) throw Cancelled();
+      collapse.refine(mesh, rest, guidance);
+    }
     result.levels.push_back(internal::level_of(mesh, collapse));
   }
   if (!watch(1.)) throw Cancelled();

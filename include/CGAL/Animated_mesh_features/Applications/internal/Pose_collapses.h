@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
 #include <CGAL/Animated_mesh_features/Animation/Vertex_trajectories.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/Followed_vertices.h>
+#include <CGAL/Animated_mesh_features/Applications/internal/Place_refinement.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/Pose_positions.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/Pose_quadrics.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/Quadric.h>
@@ -110,14 +111,7 @@ public:
         m_fit.improve(m_quadrics, i, j, m_original, c.followed);
       }
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      m_sum.assign(m_original.number_of_columns(), 0.);
-      for (std::size_t k = 0; k < c.followed.size(); ++k) {
-        const float* const row = m_original.row(c.followed.vertices[k], int(axis));
-        for (std::size_t f = 0; f < m_sum.size(); ++f) m_sum[f] += c.followed.weights[k] * double(row[f]);
-      }
-      c.place[axis].assign(m_sum.begin(), m_sum.end());
-    }
+    follow(c.followed, c.place);
     m_turns.add_sides(i, j, c.side);
   }
 
@@ -153,6 +147,26 @@ public:
     m_stamps[kept] = ++m_stamp;
   }
 
+  // Moves the vertices of a level towards where it is nearest to the original around them; `weight(v, pose)` as above.
+  // Fixed vertices stay, and those that may not move. Collapses may go on afterwards.
+  template <class Weight, class Loop>
+  void refine(const Place_refinement& level, const std::vector<char>& may_move, const Weight& weight, const Loop& loop)
+  {
+    const std::size_t n = level.vertices().size(), poses = m_quadrics.number_of_poses();
+    Pose_quadrics planes(n + 1, poses); // and one that draws nowhere, the other end of what is no edge
+    loop(poses, [&](std::size_t p) {
+      level.add_planes(
+          m_original, m_current, p, [&](std::size_t v) { return weight(v, p); }, planes);
+    });
+    std::vector<Followed_vertices> wanted(n);
+    loop(n, [&](std::size_t k) {
+      wanted[k] = m_followed[level.vertices()[k]];
+      Weight_fit().improve(planes, k, n, m_original, wanted[k]);
+    });
+    for (std::size_t k = 0; k < n; ++k)
+      if (may_move[k] != 0 && !is_fixed(level.vertices()[k])) move(level, k, wanted[k]);
+  }
+
   // by the vertex
   const Followed_vertices& followed(std::size_t v) const { return m_followed[v]; }
 
@@ -169,6 +183,46 @@ public:
   }
 
 private:
+  // where a vertex is in all columns that follows these
+  void follow(const Followed_vertices& followed, Turn_filter::Rows& place)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      m_sum.assign(m_original.number_of_columns(), 0.);
+      for (std::size_t k = 0; k < followed.size(); ++k) {
+        const float* const row = m_original.row(followed.vertices[k], int(axis));
+        for (std::size_t f = 0; f < m_sum.size(); ++f) m_sum[f] += followed.weights[k] * double(row[f]);
+      }
+      place[axis].assign(m_sum.begin(), m_sum.end());
+    }
+  }
+
+  // Moves a vertex of a level to where it would follow these, and beyond: where all of them move, steps of up to twice as
+  // long still go down, and 1.5 takes fewer of them. Less far, if that turned a triangle over.
+  void move(const Place_refinement& level, std::size_t k, const Followed_vertices& wanted)
+  {
+    const Index v = level.vertices()[k];
+    Collapse c;
+    m_turns.side(v, c.side);
+    const auto is_turned = [&](Index t) {
+      const Rest_shape::Triangle& r = level.triangles()[t];
+      const std::size_t i = r[0] == k ? 0 : r[1] == k ? 1 : 2;
+      return turns(v, level.vertices()[r[(i + 1) % 3]], level.vertices()[r[(i + 2) % 3]], c);
+    };
+    for (double step : {1.5, .75, .375}) {
+      c.followed = m_followed[v];
+      for (double& w : c.followed.weights) w *= 1 - step;
+      c.followed.add(wanted, step);
+      follow(c.followed, c.place);
+      const auto around = level.around(k);
+      if (std::any_of(around.begin(), around.end(), is_turned)) continue;
+      m_followed[v] = c.followed;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        std::copy(c.place[axis].begin(), c.place[axis].end(), m_current.row(v, int(axis)));
+      m_stamps[v] = ++m_stamp;
+      return;
+    }
+  }
+
   // the best place on the edge in all poses together, from 0 to 1
   double place_on_edge(std::size_t i, std::size_t j) const
   {

@@ -74,6 +74,15 @@ public:
     add_rows(areas(i), areas(j), columns, sum.areas);
   }
 
+  // of what a vertex stands for
+  void side(std::size_t v, Side& side) const
+  {
+    const std::size_t columns = m_normals.number_of_columns();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      side.normals[axis].assign(m_normals.row(v, int(axis)), m_normals.row(v, int(axis)) + columns);
+    side.areas.assign(areas(v), areas(v) + columns);
+  }
+
   void commit(std::size_t kept, const Side& side)
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
