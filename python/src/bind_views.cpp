@@ -56,7 +56,7 @@ py::array_t<double> array_of_directions(const std::vector<Eigen::Vector3d>& dire
 
 py::dict select_views(const Animation_data& animation, const Feature_array& features, std::optional<Direction> up,
                       std::size_t subdivisions, std::size_t refinements, std::size_t most_frames,
-                      std::size_t most_views, double lowest_elevation, double highest_elevation,
+                      std::size_t most_views, double lowest_elevation, double highest_elevation, bool is_cyclic,
                       const Arguments& arguments, py::object visitor)
 {
   const std::vector<AMF::Feature_point> points = features_of(features);
@@ -68,6 +68,7 @@ py::dict select_views(const Animation_data& animation, const Feature_array& feat
   o.most_views = most_views;
   o.lowest_elevation = lowest_elevation;
   o.highest_elevation = highest_elevation;
+  o.is_cyclic = is_cyclic;
   Python_monitor monitor(std::move(visitor));
   const AMF::View_selection found = monitor.run([&] {
     const Programs::Thread_limit limit(options_of(arguments, 0).run.threads);

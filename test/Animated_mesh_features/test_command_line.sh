@@ -579,6 +579,14 @@ cp x.json once.json
 expect 0 "repeats the first and is left out; the period is 16 frames" c.obj begun.pc2 --fps 10 --cyclic --rest c.obj \
   --relative-threshold 0 --preset published -o x.json
 check 'x["features"] == once["features"] and x["animation"]["frames"] == 16'
+# Nor does it matter for where it is looked at from, by a camera that comes back.
+for name in c begun; do
+  expect 0 "" c.obj $name.pc2 --fps 10 --cyclic --rest c.obj --relative-threshold 0 --views ${name}_views.json -o x.json
+done
+check 'all(abs(a - b) < 1e-3 for v, w in zip(c_views["views"], begun_views["views"])
+           for a, b in zip(v["direction"] + [v["covered"]], w["direction"] + [w["covered"]]))'
+check 'all(v["keys"][0]["direction"] == v["keys"][-1]["direction"] and near(v["keys"][-1]["time"], 1.6, 1e-6)
+           for v in (c_views["camera"], begun_views["camera"]))'
 expect 0 "look whether the frames are one whole period" c.obj c.pc2 --fps 10 --frames 0:6 --cyclic -o x.json
 for strain in green-lagrange stretch largest-eigenvalue; do
   differs --strain $strain

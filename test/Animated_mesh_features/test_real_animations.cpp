@@ -6,6 +6,7 @@
 
 // The whole way on scanned and simulated animals, from files to features. Skipped where there are no such animations.
 
+#include <CGAL/Animated_mesh_features/Applications/probable_up_axis.h>
 #include <CGAL/Animated_mesh_features/IO/read_animation.h>
 #include <CGAL/Animated_mesh_features/IO/to_surface_mesh.h>
 #include <CGAL/detect_spatio_temporal_features.h>
@@ -106,6 +107,22 @@ void compare(const std::string& name, const std::vector<Feature>& a, const std::
   CHECK((std::min)(ab.second, ba.second) >= least_with_scales);
 }
 
+// All of these bodies are upright along y; turned, along z.
+void check_upright(const std::filesystem::path& file)
+{
+  auto mesh = Amf::IO::read_mesh(file.string());
+  for (int up : {1, 2}) {
+    const Mesh surface = Amf::IO::to_surface_mesh(mesh, file.string());
+    std::vector<Amf::Rest_shape::Point> points;
+    for (const auto& p : mesh.points) points.emplace_back(p[0], p[1], p[2]);
+    Amf::Rest_shape shape(surface, get(boost::vertex_index, surface), points.size());
+    shape.set_points(std::move(points));
+    if (Amf::probable_up_axis(shape) != up) std::cout << file << " does not stand along axis " << up << std::endl;
+    CHECK(Amf::probable_up_axis(shape) == up);
+    for (auto& p : mesh.points) p = {{p[2], p[0], p[1]}};
+  }
+}
+
 } // namespace
 
 int main()
@@ -114,6 +131,13 @@ int main()
     std::cout << "SKIPPED: no animations in \"" << folder << "\" (ANIMATED_MESH_FEATURES_TEST_DATA)" << std::endl;
     return test_support::skipped;
   }
+
+  for (const char* name : {"horse-rest", "horse-rest-dec4200", "horse-rest-irregular", "camel-rest-manifold", "pcow"})
+    check_upright(folder + name + ".obj");
+  for (const char* name : {"bodies/bodies", "actions"})
+    if (std::filesystem::exists(folder + name))
+      for (const auto& entry : std::filesystem::directory_iterator(folder + name))
+        if (entry.path().extension() == ".obj") check_upright(entry.path());
 
   const Animation horse = read("horse-gallop", 30, "horse-rest.obj");
   const Amf::Animation_report report = horse.sequence->report();
@@ -159,8 +183,7 @@ int main()
   const double duration = double(cow.sequence->number_of_frames()) / 30;
   for (std::size_t i = 0; i < cow_features.size(); ++i) {
     const Feature& f = cow_features[i];
-    CHECK(std::isfinite(f.strength) && f.strength > 0 &&
-          (i == 0 || f.strength <= cow_features[i - 1].strength));
+    CHECK(std::isfinite(f.strength) && f.strength > 0 && (i == 0 || f.strength <= cow_features[i - 1].strength));
     CHECK(f.time > 0 && f.time < duration && f.sigma > 0 && std::isfinite(f.sigma) && f.tau > 0 && f.tau < duration);
     const double sum = f.barycentric_coordinates[0] + f.barycentric_coordinates[1] + f.barycentric_coordinates[2];
     CHECK_NEAR(sum, 1, 1e-12);

@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -156,25 +157,38 @@ void test_angles()
   }
 }
 
-// A plate on four legs, with a neck: it stands on its feet, whichever axis is up.
+// a sphere that is stretched to half axes
+Shape ellipsoid(const Vec& centre, const Vec& half_axes)
+{
+  Shape s = sphere_shape(2);
+  for (Vec& p : s.points) p = centre + half_axes.cwiseProduct(p);
+  return s;
+}
+
+// A body stands on its feet, whichever axis is up, and however its vertices are spread.
 void test_up_axis()
 {
-  for (int up : {1, 2}) {
-    Points points;
-    const auto add = [&](double a, double b, double height) {
-      Vec p;
-      p[(up + 1) % 3] = a, p[(up + 2) % 3] = b, p[up] = height;
-      points.push_back(p);
-    };
-    for (int i = 0; i <= 10; ++i)
-      for (int j = 0; j <= 10; ++j) {
-        add(0.3 * i, 0.1 * j, 1);
-        add(j % 2 ? 0.1 : 2.9, j % 4 < 2 ? 0.1 : 0.9, 0.1 * i);
-        if (j < 5) add(3 + 0.02 * j, 0.5, 1 + 0.06 * i);
-      }
-    CHECK(probable_up_axis(points) == up);
+  const auto up_of = [](const Shape& shape) { return probable_up_axis(Animated(shape).sequence->rest_shape()); };
+  // a trunk on four legs; x is to the side, z ahead
+  const auto animal = [](double length, double spread) {
+    Shape s = ellipsoid(Vec(0, 1, 0), Vec(0.25, 0.3, length));
+    for (double x : {-0.15, 0.15})
+      for (double z : {-spread, spread}) s.add(ellipsoid(Vec(x, 0.45, z), Vec(0.06, 0.45, 0.06)));
+    return s;
+  };
+  const Shape standing = animal(0.8, 0.6);
+  // one whose hind legs are as far behind as its rump, and on whose hind parts are most vertices: on end it seems to stand
+  Shape behind = animal(0.7, 0.6);
+  for (int i = 0; i < 20; ++i) behind.add(ellipsoid(Vec(0, 0.5 + 0.02 * i, -0.5), Vec(0.15, 0.1, 0.05)));
+  for (Shape s : {standing, behind}) {
+    CHECK(up_of(s) == 1);
+    for (Vec& p : s.points) p = Vec(p[2], p[0], p[1]);
+    CHECK(up_of(s) == 2);
   }
-  CHECK(probable_up_axis(sphere_shape(2, 1, Vec(5, 6, 7)).points) == 1);
+  CHECK(up_of(sphere_shape(2, 1, Vec(5, 6, 7))) == 1);
+  // what lies is as broad one way as the other
+  CHECK(up_of(plate(Vec(0, 0, 0), Vec(0, 1, 0), 1, 4)) == 1);
+  CHECK(up_of(plate(Vec(0, 0, 0), Vec(0, 0, 1), 1, 4)) == 2);
 }
 
 // ----------------------------------------------------------------------------------------------------------- visibility
@@ -432,6 +446,37 @@ void test_frames()
   CHECK_THROWS(Input_error, view_frames(features, 100, 0.1, 4), "frame 100");
 }
 
+// In a cycle it does not matter where it begins: a feature near an end lives on at the other one.
+void test_cycle()
+{
+  const Animated a(sphere_shape(2));
+  const Rest_shape& rest = a.sequence->rest_shape();
+  const auto worth = [&](std::size_t frame, const std::vector<std::size_t>& frames, bool is_cyclic) {
+    const std::vector<Feature_point> one = {feature(0, 0.2, 3, frame)};
+    const Feature_view_score score(rest, frames, 10, 0.1, one, 0.5, is_cyclic);
+    std::vector<double> sums;
+    for (std::size_t k = 0; k < frames.size(); ++k) {
+      sums.push_back(0);
+      for (std::size_t i = score.first_item(k); i < score.first_item(k + 1); ++i) sums.back() += score.weight(i);
+    }
+    return sums;
+  };
+  const std::vector<std::size_t> all = even_frames(10, 10);
+  const std::vector<double> middle = worth(5, all, false), end = worth(9, all, true), cut = worth(9, all, false);
+  for (std::size_t f = 0; f < 10; ++f) CHECK_NEAR(end[(f + 4) % 10], middle[f], 1e-12);
+  CHECK(middle[3] > 0.1 && middle[2] == 0 && end[0] > 0.1 && end[1] > 0.1 && end[2] == 0 && cut[0] == 0);
+  CHECK_NEAR(std::accumulate(cut.begin(), cut.end(), 0.), 3, 1e-12);
+  // frames 7, 8 and 9 are no farther from 6, 0 and 1 nearer to 2
+  const std::vector<double> few = worth(9, {2, 6}, true);
+  CHECK_NEAR(few[0], end[0] + end[1], 1e-12);
+  CHECK_NEAR(few[1], end[7] + end[8] + end[9], 1e-12);
+  CHECK(worth(9, {2, 6}, false)[0] == 0 && worth(0, {2, 6}, false)[1] == 0);
+  CHECK_NEAR(worth(0, {2, 6}, true)[1], end[7] + end[8], 1e-12); // those of frames 8 and 9
+  const std::vector<Feature_point> features = {feature(0, 0.2, 1, 9)};
+  CHECK((view_frames(features, 10, 0.1, 5, true) == std::vector<std::size_t>{0, 7, 8, 9}));
+  CHECK((view_frames(features, 10, 0.1, 5) == std::vector<std::size_t>{8, 9}));
+}
+
 // ------------------------------------------------------------------------------------------------- several views, paths
 
 // What is seen of some targets, which move with the frames: the cosine.
@@ -638,6 +683,7 @@ int main()
   test_invariance();
   test_frames();
   test_covering();
+  test_cycle();
   test_camera_path();
   test_errors();
   return test_result();

@@ -6,6 +6,7 @@
 
 #include "views/Scene_views.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace AMF = CGAL::Animated_mesh_features;
@@ -18,8 +19,8 @@ std::size_t Scene_views::view_of_frame(std::size_t frame) const
   const AMF::View_scores& scores = selection.scores;
   std::size_t k = 0;
   const auto distance = [&](std::size_t i) {
-    const std::size_t f = scores.frames()[i];
-    return f > frame ? f - frame : frame - f;
+    const std::size_t f = scores.frames()[i], away = f > frame ? f - frame : frame - f;
+    return cycle > 0 ? (std::min)(away, cycle - away) : away;
   };
   for (std::size_t i = 0; i < scores.frames().size(); ++i)
     if (distance(i) < distance(k)) k = i;
@@ -31,11 +32,7 @@ std::size_t Scene_views::view_of_frame(std::size_t frame) const
 
 int scene_up_axis(const Shown_scene& scene, std::optional<int> up_axis)
 {
-  if (up_axis) return *up_axis;
-  const AMF::Rest_shape& shape = scene.sequence.rest_shape();
-  std::vector<Eigen::Vector3d> points;
-  for (AMF::Rest_shape::Index v : shape.measured_vertices()) points.push_back(shape.points()[v]);
-  return AMF::probable_up_axis(points);
+  return up_axis ? *up_axis : AMF::probable_up_axis(scene.sequence.rest_shape());
 }
 
 Scene_views scene_views(const Shown_scene& scene, std::optional<int> up_axis, AMF::Any_visitor visitor)
@@ -45,7 +42,9 @@ Scene_views scene_views(const Shown_scene& scene, std::optional<int> up_axis, AM
   options.up = Eigen::Vector3d::Unit(axis);
   options.lowest_elevation = Scene_views::lowest_elevation;
   options.highest_elevation = Scene_views::highest_elevation;
-  return {axis, AMF::select_views(scene.sequence, scene.features, options, visitor)};
+  options.is_cyclic = scene.is_cyclic;
+  return {axis, AMF::select_views(scene.sequence, scene.features, options, visitor),
+          scene.is_cyclic ? scene.sequence.number_of_frames() : 0};
 }
 
 AMF::View_scores scores_around(const Shown_scene& scene, const Scene_views& views, std::size_t subdivisions)
@@ -57,7 +56,7 @@ AMF::View_scores scores_around(const Shown_scene& scene, const Scene_views& view
     return AMF::score_views(sequence, frames, directions, AMF::Entropy_view_score(frames.size()));
   return AMF::score_views(sequence, frames, directions,
                           AMF::Feature_view_score(sequence.rest_shape(), frames, sequence.number_of_frames(),
-                                                  sequence.frame_duration(), scene.features));
+                                                  sequence.frame_duration(), scene.features, 0.5, scene.is_cyclic));
 }
 
 } // namespace Programs

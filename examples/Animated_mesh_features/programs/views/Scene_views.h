@@ -25,6 +25,7 @@ struct Scene_views
 
   int up_axis = 1;
   CGAL::Animated_mesh_features::View_selection selection;
+  std::size_t cycle = 0; // frames, if the last one is followed by the first
 
   // The one of the selected views that is good for a frame, by its rank: the first one, unless another shows much more
   // of what lives there.

@@ -48,8 +48,11 @@ Json camera(const Shown_scene& scene, const Scene_views& views)
   const std::vector<std::size_t> frames = AMF::even_frames(n, most_frames);
   const double step = sequence.frame_duration();
   const AMF::View_scores scores = AMF::score_views(
-      sequence, frames, directions, AMF::Feature_view_score(sequence.rest_shape(), frames, n, step, scene.features));
-  const AMF::Camera_path path = AMF::camera_path(scores, sphere.longest_edge(), n, step);
+      sequence, frames, directions,
+      AMF::Feature_view_score(sequence.rest_shape(), frames, n, step, scene.features, 0.5, scene.is_cyclic));
+  AMF::Camera_path_options options;
+  options.is_cyclic = scene.is_cyclic;
+  const AMF::Camera_path path = AMF::camera_path(scores, sphere.longest_edge(), n, step, options);
   Json keys = Json::array();
   for (std::size_t i = 0; i < path.directions().size(); ++i) {
     const AMF::View_angles a = AMF::view_angles(path.directions()[i], views.selection.up);

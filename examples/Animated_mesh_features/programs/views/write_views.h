@@ -19,8 +19,8 @@ namespace Programs {
 //   vector from the body to the camera), "score" and "covered" (0 to 1: what it shows of the features, alone and together
 //   with those before it);
 // - "camera": a path for the whole clip, no faster than 45 degrees a second: "interval" (s) between its "keys", each with
-//   "time" (s), angles and direction,
-//   "score", and "still", the score of the best camera that stands still, both of the same 32 frames.
+//   "time" (s), angles and direction, of a cycle the last as the first, a period later; "score", and "still", the score of
+//   the best camera that stands still, both of the same 32 frames.
 // throws Input_error as scene_views(); errors of the stream are left in its state.
 void write_views(std::ostream& os, const Shown_scene& scene);
 

@@ -48,7 +48,7 @@ class Feature_view_score
 {
 public:
   /*!
-  prepares, in \f$O(k \log k)\f$ for `k` vertices within a feature's region, and \f$O(N K)\f$ memory at most.
+  prepares, in \f$O(k \log k + F)\f$ for a feature with `k` vertices within its region, and \f$O(N K)\f$ memory at most.
 
   \param shape the surface at rest.
   \param frames the `K` frames that are looked at, ascending, at least one. What a feature is worth in other frames, it is
@@ -58,12 +58,14 @@ public:
   \param features a range of `Feature_point`; of them the vertex, frame, time, \f$\sigma\f$, \f$\tau\f$ and the amplitude
     are used; where there is no amplitude, the strength.
   \param full_cosine the cosine from which on the surface counts as seen as a whole, `c` above; from 0 to 1.
+  \param is_cyclic whether the last frame is followed by the first: a feature near one end lives on at the other.
   \throw Input_error if a feature is at a vertex or in a frame that is not there, or its \f$\sigma\f$ is not positive;
     Option_error if `frames` is empty, not ascending or reaches beyond the animation, or `full_cosine` is out of range.
   */
   template <class FeatureRange>
   Feature_view_score(const Rest_shape& shape, const std::vector<std::size_t>& frames, std::size_t number_of_frames,
-                     double frame_duration, const FeatureRange& features, double full_cosine = 0.5)
+                     double frame_duration, const FeatureRange& features, double full_cosine = 0.5,
+                     bool is_cyclic = false)
     : m_full_cosine(full_cosine)
     , m_first(frames.size() + 1, 0)
   {
@@ -83,8 +85,8 @@ public:
       const std::array<Rest_shape::Index, 1> centre = {{Rest_shape::Index(f.vertex_index)}};
       const std::vector<Weight> disc = sampled(paths.run(centre, f.sigma), areas);
       std::vector<double> presence(frames.size(), 0);
-      for (const auto& m : internal::feature_presence(f, number_of_frames, frame_duration))
-        presence[nearest(frames, m.first)] += m.second;
+      for (const auto& m : internal::feature_presence(f, number_of_frames, frame_duration, is_cyclic))
+        presence[nearest(frames, m.first, is_cyclic ? number_of_frames : 0)] += m.second;
       for (std::size_t k = 0; k < frames.size(); ++k)
         if (presence[k] > 0)
           for (const Weight& w : disc) weights[k].emplace_back(w.first, internal::worth(f) * presence[k] * w.second);
@@ -130,11 +132,16 @@ private:
                         std::to_string(number_of_frames) + " frames");
   }
 
-  static std::size_t nearest(const std::vector<std::size_t>& frames, std::size_t m)
+  // The rank of the frame nearest to m, of a cycle of so many frames, 0: of none; the earlier of two.
+  static std::size_t nearest(const std::vector<std::size_t>& frames, std::size_t m, std::size_t cycle)
   {
-    const std::size_t k = std::size_t(std::lower_bound(frames.begin(), frames.end(), m) - frames.begin());
-    if (k == 0) return 0;
-    return k == frames.size() || m - frames[k - 1] <= frames[k] - m ? k - 1 : k;
+    const std::size_t n = frames.size(),
+                      k = std::size_t(std::lower_bound(frames.begin(), frames.end(), m) - frames.begin());
+    if (cycle == 0 && (k == 0 || k == n)) return k == 0 ? 0 : n - 1;
+    const std::size_t before = k > 0 ? k - 1 : n - 1, after = k < n ? k : 0;
+    const std::size_t to_before = k > 0 ? m - frames[before] : m + cycle - frames[before],
+                      to_after = k < n ? frames[after] - m : frames[after] + cycle - m;
+    return to_before <= to_after ? before : after;
   }
 
   // Vertices with their share of the disc's area: all, or so many, evenly spread over the distances.

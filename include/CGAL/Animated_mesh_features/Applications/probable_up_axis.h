@@ -7,10 +7,13 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_PROBABLE_UP_AXIS_H
 #define CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_PROBABLE_UP_AXIS_H
 
+#include <CGAL/Animated_mesh_features/Animation/Rest_shape.h>
+
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -18,26 +21,55 @@ namespace Animated_mesh_features {
 
 namespace internal {
 
-// How well a body stands if this axis points up: how far inside of the bounding rectangle of its lowest points its
-// centre is, as a fraction of its half width; 1 for a box, negative for what topples.
-inline double stability(const std::vector<Eigen::Vector3d>& points, int axis)
+// Where the weight of a body is, of the same density everywhere inside of its surface; of a sheet, which has no inside, and
+// of a surface that is not oriented, of the same density everywhere on it. Each triangle stands for the tetrahedron that
+// it makes with the centre of the surface: small holes matter little.
+inline Eigen::Vector3d centre_of_mass(const Rest_shape& shape)
+{
+  const auto& p = shape.points();
+  const auto normal = [&](const Rest_shape::Triangle& t) { return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]); };
+  Eigen::Vector3d surface = Eigen::Vector3d::Zero(), inside = surface;
+  Eigen::AlignedBox3d box;
+  double area = 0, volume = 0;
+  for (const Rest_shape::Triangle& t : shape.triangles()) {
+    const double a = normal(t).norm() / 2;
+    surface += a / 3 * (p[t[0]] + p[t[1]] + p[t[2]]);
+    area += a;
+    for (std::size_t k = 0; k < 3; ++k) box.extend(p[t[k]]);
+  }
+  if (!(area > 0)) return surface;
+  surface /= area;
+  for (const Rest_shape::Triangle& t : shape.triangles()) {
+    const Eigen::Vector3d a = p[t[0]] - surface, b = p[t[1]] - surface, c = p[t[2]] - surface;
+    const double v = normal(t).dot(a) / 6;
+    inside += v / 4 * (a + b + c);
+    volume += v;
+  }
+  const double sheet = 0.01; // of the volume of a ball of the same area
+  if (!(std::abs(volume) > sheet * std::pow(area, 1.5) / (6 * std::sqrt(double(EIGEN_PI))))) return surface;
+  const Eigen::Vector3d centre = surface + inside / volume;
+  return box.contains(centre) ? centre : surface;
+}
+
+// How well a body stands if this axis points up. Its lowest points are its feet; the centre of mass is above the rectangle
+// around them, at this part of its half width from the nearest side; negative for what topples. That, times how high the
+// centre is, as a part of the height: feet carry what is above them, and what lies has its weight below.
+inline double standing(const Rest_shape& shape, const Eigen::Vector3d& centre, int axis)
 {
   const double lowest_part = 0.06; // of the height: feet
-  const double most = (std::numeric_limits<double>::max)();
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(most), high = -low, mean = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p), mean += p;
-  mean /= double(points.size());
-  const double level = low[axis] + lowest_part * (high[axis] - low[axis]);
-  Eigen::Vector3d foot_low = Eigen::Vector3d::Constant(most), foot_high = -foot_low;
-  for (const Eigen::Vector3d& p : points)
-    if (p[axis] <= level) foot_low = foot_low.cwiseMin(p), foot_high = foot_high.cwiseMax(p);
-  double result = 1;
+  const std::vector<Rest_shape::Index>& vertices = shape.measured_vertices();
+  Eigen::AlignedBox3d box, feet;
+  for (Rest_shape::Index v : vertices) box.extend(shape.points()[v]);
+  const double low = box.min()[axis], height = box.sizes()[axis];
+  for (Rest_shape::Index v : vertices)
+    if (shape.points()[v][axis] <= low + lowest_part * height) feet.extend(shape.points()[v]);
+  double stability = 1;
   for (int i : {(axis + 1) % 3, (axis + 2) % 3}) {
-    const double half_width = (high[i] - low[i]) / 2;
+    const double half_width = box.sizes()[i] / 2;
     if (!(half_width > 0)) continue;
-    result = (std::min)(result, (std::min)(mean[i] - foot_low[i], foot_high[i] - mean[i]) / half_width);
+    stability = (std::min)(stability, (std::min)(centre[i] - feet.min()[i], feet.max()[i] - centre[i]) / half_width);
   }
-  return result;
+  return stability > 0 && height > 0 ? stability * (centre[axis] - low) / height : stability;
 }
 
 } // namespace internal
@@ -45,14 +77,16 @@ inline double stability(const std::vector<Eigen::Vector3d>& points, int axis)
 /*!
 \ingroup PkgAnimatedMeshFeaturesViews
 
-the axis that probably points up, `y` (1) or `z` (2): the one on which the body stands more stably, and `y` if there is no
-clear difference. Files do not tell; animals and people at rest are told well, what does not stand is not.
-\param points at least one: the body at rest.
+the axis that probably points up, `y` (1) or `z` (2): the one on which the body stands better, with its centre of mass well
+above its feet, and `y` if there is no clear difference. Files do not tell; animals and people at rest are told well, what
+does not stand is not.
+\param shape the body at rest. Linear time.
 */
-inline int probable_up_axis(const std::vector<Eigen::Vector3d>& points)
+inline int probable_up_axis(const Rest_shape& shape)
 {
   const double clear_difference = 0.05;
-  return internal::stability(points, 2) > internal::stability(points, 1) + clear_difference ? 2 : 1;
+  const Eigen::Vector3d centre = internal::centre_of_mass(shape);
+  return internal::standing(shape, centre, 2) > internal::standing(shape, centre, 1) + clear_difference ? 2 : 1;
 }
 
 } // namespace Animated_mesh_features

@@ -61,6 +61,9 @@ struct View_options
   /// some 1 % of the amplitude.
   std::size_t most_frames = 16;
 
+  /// whether the last frame is followed by the first: a feature near one end lives on at the other. Default: no.
+  bool is_cyclic = false;
+
   /// how many views are chosen. Default: 3.
   std::size_t most_views = 3;
 
@@ -182,15 +185,8 @@ View_selection select_views(const Frame_sequence<TriangleMesh, FT>& animation, c
                             const ViewScore& score, const View_options& options, Any_visitor visitor = Any_visitor())
 {
   internal::check_view_options(options);
-  Eigen::Vector3d up = Eigen::Vector3d::Zero();
-  if (options.up) {
-    up = options.up->normalized();
-  } else {
-    std::vector<Eigen::Vector3d> points;
-    for (Rest_shape::Index v : animation.rest_shape().measured_vertices())
-      points.push_back(animation.rest_shape().points()[v]);
-    up = Eigen::Vector3d::Unit(probable_up_axis(points));
-  }
+  Eigen::Vector3d up = options.up.value_or(Eigen::Vector3d::Zero()).normalized();
+  if (!options.up) up = Eigen::Vector3d::Unit(probable_up_axis(animation.rest_shape()));
   const double slack = 1e-9;
   const auto is_allowed = [&](const Eigen::Vector3d& d) {
     const double elevation = view_angles(d, up).elevation;
@@ -247,10 +243,12 @@ View_selection select_views(const Frame_sequence<TriangleMesh, FT>& animation, c
                             const View_options& options = View_options(), Any_visitor visitor = Any_visitor())
 {
   const std::size_t n = animation.number_of_frames();
-  const std::vector<std::size_t> frames = view_frames(features, n, animation.frame_duration(), options.most_frames);
+  const std::vector<std::size_t> frames =
+      view_frames(features, n, animation.frame_duration(), options.most_frames, options.is_cyclic);
   if (features.begin() == features.end())
     return select_views(animation, frames, Entropy_view_score(frames.size()), options, visitor);
-  const Feature_view_score score(animation.rest_shape(), frames, n, animation.frame_duration(), features);
+  const Feature_view_score score(animation.rest_shape(), frames, n, animation.frame_duration(), features, 0.5,
+                                 options.is_cyclic);
   return select_views(animation, frames, score, options, visitor);
 }
 

@@ -45,11 +45,12 @@ Without features, `even_frames()`.
 \param number_of_frames of the animation, `F`.
 \param frame_duration the time between two frames (s).
 \param most how many.
+\param is_cyclic whether the last frame is followed by the first: a feature near one end lives on at the other.
 \throw Option_error if `most` is 0; Input_error if a feature is in a frame that is not there.
 */
 template <class FeatureRange>
 std::vector<std::size_t> view_frames(const FeatureRange& features, std::size_t number_of_frames, double frame_duration,
-                                     std::size_t most)
+                                     std::size_t most, bool is_cyclic = false)
 {
   if (most >= number_of_frames || features.begin() == features.end()) return even_frames(number_of_frames, most);
   if (most == 0) throw Option_error("at least one frame has to be looked at");
@@ -61,7 +62,7 @@ std::vector<std::size_t> view_frames(const FeatureRange& features, std::size_t n
                         std::to_string(number_of_frames));
     const double a = internal::worth(f);
     sum += a;
-    for (const auto& m : internal::feature_presence(f, number_of_frames, frame_duration))
+    for (const auto& m : internal::feature_presence(f, number_of_frames, frame_duration, is_cyclic))
       amplitude[m.first] += a * m.second;
   }
   if (!(sum > 0)) return even_frames(number_of_frames, most);

@@ -25,16 +25,19 @@ inline double worth(const Feature_point& f)
 }
 
 // The frames in which a feature lives, within 2 tau of its time, and what each of them is worth: the course of the event,
-// exp(-(t - t_0)^2 / 2 tau^2), divided by its sum. A feature's own frame is among them.
+// exp(-(t - t_0)^2 / 2 tau^2), divided by its sum. A feature's own frame is among them. In a cycle what reaches beyond an
+// end goes on at the other one; each frame is worth what it is at the nearest of its times. Ascending.
 inline std::vector<std::pair<std::size_t, double>> feature_presence(const Feature_point& f, std::size_t frames,
-                                                                    double frame_duration)
+                                                                    double frame_duration, bool is_cyclic = false)
 {
-  const double reach = 2 * f.tau / frame_duration, middle = f.time / frame_duration;
+  const double reach = 2 * f.tau / frame_duration, middle = f.time / frame_duration, period = double(frames);
   std::vector<std::pair<std::size_t, double>> result;
   double sum = 0;
-  const double first = std::ceil(middle - reach), last = std::floor(middle + reach);
-  for (std::size_t m = first > 0 ? std::size_t(first) : 0; m < frames && double(m) <= last; ++m) {
-    const double x = f.tau > 0 ? (double(m) * frame_duration - f.time) / f.tau : 0;
+  for (std::size_t m = 0; m < frames; ++m) {
+    double away = double(m) - middle;
+    if (is_cyclic) away -= period * std::round(away / period);
+    if (!(std::abs(away) <= reach)) continue;
+    const double x = f.tau > 0 ? away * frame_duration / f.tau : 0;
     result.emplace_back(m, std::exp(-x * x / 2));
     sum += result.back().second;
   }
