@@ -6,6 +6,7 @@
 #   scripts/benchmark.sh               on generated animations
 #   scripts/benchmark.sh --data DIR    on a galloping horse where DIR has it: horse-gallop.obj, horse-gallop.pc2 and
 #                                      horse-rest.obj
+#   (in the table of views is the hand, too, once scripts/demo.sh --hand has fetched it)
 #   scripts/benchmark.sh --quick       small sizes, a minute or two: shows that the programs work, and leaves the manual
 #                                      alone
 #
@@ -57,11 +58,18 @@ benchmark()
 }
 
 programs="$folder/examples/Animated_mesh_features/programs"
+hand="$root/demo_output/hand/rightHandHigh.glb"
+if [ -s "$hand" ] && "$programs/simplify_animation" "$hand" --clip Fist --there-and-back --ratio 1 --quiet -o "$folder/hand"
+then
+  hand_options=(--hand "$folder/hand.obj")
+else
+  hand_options=()
+fi
 started=$SECONDS
 for name in engine balls measures cholesky growth roofline viewpoints; do
   program="$folder/benchmark/Animated_mesh_features/benchmark_$name"
   if [ $name = cholesky ] && [ ! -x "$program" ]; then continue; fi # where there is no CHOLMOD
-  benchmark $name "$program"
+  if [ $name = viewpoints ]; then benchmark $name "$program" "${hand_options[@]}"; else benchmark $name "$program"; fi
 done
 benchmark program python3 "$root/benchmark/Animated_mesh_features/program.py" \
   "$programs/detect_features" "$programs/make_animation"

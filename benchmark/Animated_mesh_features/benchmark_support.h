@@ -52,6 +52,7 @@ struct Arguments
 {
   bool quick = false; // sizes and repetitions that only show that everything works
   std::string data;   // a folder with real animations, or empty
+  std::string hand;   // the mesh of a hand that moves, its point cache beside it, or empty
   std::string json;   // where to write, or empty
 
   Arguments(int argc, char* argv[])
@@ -60,10 +61,11 @@ struct Arguments
       const std::string a = argv[i];
       if (a == "--quick")
         quick = true;
-      else if ((a == "--data" || a == "--json") && i + 1 < argc)
-        (a == "--data" ? data : json) = argv[++i];
+      else if ((a == "--data" || a == "--hand" || a == "--json") && i + 1 < argc)
+        (a == "--data" ? data : a == "--hand" ? hand : json) = argv[++i];
       else
-        throw std::invalid_argument("usage: " + std::string(argv[0]) + " [--quick] [--data DIR] [--json FILE]");
+        throw std::invalid_argument("usage: " + std::string(argv[0]) +
+                                    " [--quick] [--data DIR] [--hand FILE.obj] [--json FILE]");
     }
   }
 };
