@@ -62,8 +62,7 @@ public:
     , m_original(rest, trajectories, columns, m_unit)
     , m_current(m_original)
     , m_quadrics(rest.number_of_vertices(), poses)
-    , m_turns(m_original)
-    , m_least_cosine(settings.least_cosine)
+    , m_turns(m_original, settings.least_cosine)
     , m_is_fixed(is_fixed)
     , m_stamps(rest.number_of_vertices(), 0)
     , m_followed(rest.number_of_vertices())
@@ -119,7 +118,7 @@ public:
   // Whether the triangle of these vertices, of which the first moves, turns over in any column.
   bool turns(std::size_t moved, std::size_t b, std::size_t d, const Collapse& c) const
   {
-    return m_turns.turns(m_current, moved, b, d, c.place, c.side, m_least_cosine);
+    return m_turns.turns(m_current, moved, b, d, c.place, c.side);
   }
 
   // where the new vertex is at rest, relative to the mean of all vertices
@@ -207,9 +206,7 @@ private:
     const auto is_turned = [&](Index t) {
       const Rest_shape::Triangle& r = level.triangles()[t];
       const std::size_t i = r[0] == k ? 0 : r[1] == k ? 1 : 2;
-      // what looks well, or better than before, may turn as it likes; what does not may not turn at all
-      return m_turns.turns(m_current, v, level.vertices()[r[(i + 1) % 3]], level.vertices()[r[(i + 2) % 3]], c.place,
-                           c.side, 1);
+      return turns(v, level.vertices()[r[(i + 1) % 3]], level.vertices()[r[(i + 2) % 3]], c);
     };
     for (double step : {1.5, .75, .375}) {
       c.followed = m_followed[v];
@@ -250,7 +247,6 @@ private:
   Pose_positions m_original, m_current;
   Pose_quadrics m_quadrics;
   Turn_filter m_turns;
-  double m_least_cosine;
   std::vector<char> m_is_fixed;
   std::vector<std::uint32_t> m_stamps;
   std::uint32_t m_stamp = 0;
