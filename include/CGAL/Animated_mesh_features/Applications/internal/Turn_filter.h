@@ -36,9 +36,10 @@ public:
     std::vector<float> areas;
   };
 
-  explicit Turn_filter(const Pose_positions& original)
+  Turn_filter(const Pose_positions& original, double least_cosine)
     : m_normals(original.number_of_vertices(), original.number_of_columns())
     , m_areas(original.number_of_vertices() * original.number_of_columns())
+    , m_least_cosine(least_cosine)
   {}
 
   // of the original around a vertex
@@ -92,10 +93,10 @@ public:
   // Whether a triangle turns over, or shrinks to nothing, in any column, when its first vertex moves to `place` and
   // stands for what has the side `side`. Where the original around its corners has a side:
   // - it looks there, unless it looked away before;
-  // - its normal turns by no more than `least_cosine`, unless it looks to that side better than before, or well;
+  // - its normal turns by no more than it may, unless it looks to that side better than before, or well;
   // - it is no line, unless it was one before.
   bool turns(const Pose_positions& current, std::size_t moved, std::size_t b, std::size_t d, const Rows& place,
-             const Side& side, double least_cosine) const
+             const Side& side) const
   {
     const float *const ax = current.row(moved, 0), *const ay = current.row(moved, 1), *const az = current.row(moved, 2);
     const float *const bx = current.row(b, 0), *const by = current.row(b, 1), *const bz = current.row(b, 2);
@@ -108,7 +109,7 @@ public:
     const float *const hx = m_normals.row(moved, 0), *const hy = m_normals.row(moved, 1),
                        *const hz = m_normals.row(moved, 2);
     const float *const pa = side.areas.data(), *const qa = areas(b), *const ra = areas(d), *const ha = areas(moved);
-    const float least = float(least_cosine), has_side = float(least_side);
+    const float least = float(m_least_cosine), has_side = float(least_side);
     const std::size_t columns = current.number_of_columns();
     int bad = 0;
     for (std::size_t f = 0; f < columns; ++f) {
@@ -154,6 +155,7 @@ private:
 
   Pose_positions m_normals;
   std::vector<float> m_areas;
+  double m_least_cosine;
 };
 
 } // namespace internal
