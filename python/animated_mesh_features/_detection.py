@@ -20,7 +20,7 @@ from ._options import arguments, takes
 #: rest_position (3) on the rest shape. triangle (3 of int64), barycentric_coordinates (3): the place in a form that
 #: holds for every frame. sigma (length), tau (s): spatial and temporal scale, standard deviations of a Gaussian event.
 #: radius (length): sqrt(2) sigma. response: negative. amplitude: how much more than at its least the surface is
-#: deformed. fit: the correlation with the Gaussian. strength: amplitude times fit. place (int64): features at one place
+#: deformed. fit: the correlation with the Gaussian. strength: amplitude times fit, less where the ranges of sigma and tau begin. place (int64): features at one place
 #: at different times share a number. parent (int64): the rank of a stronger feature of another scale in which this one
 #: lies, -1 if there is none. at_scale_limit (bool): found at the smallest or largest scale searched.
 #: Ranks and places are counted from 0, as rows of the array are; in files, from 1.

@@ -246,21 +246,32 @@ void test_fade()
   };
   Amf::Fixed_ratio_sampling sampling;
   sampling.sigma = {1, 32};
-  sampling.tau = {0.1, 0.5};
+  sampling.tau = {0.04, 0.5};
   std::array<double, 4> f = fades(sampling, 1e-9);
-  const std::array<double, 4> expected = {{1, 1.6, 0.1, 0.2}};
+  const std::array<double, 4> expected = {{1, 1.6, 0.04, 0.08}};
   for (std::size_t i = 0; i < 4; ++i) CHECK_NEAR(f[i], expected[i], 1e-12);
   // on a coarse mesh from half a level below the first one: 2 sqrt(3) is resolved, 4 is the first level above
   f = fades(sampling, 3);
   CHECK_NEAR(f[0], 4 / std::pow(2, 0.25), 1e-12);
   CHECK_NEAR(f[1], 1.6 * f[0], 1e-12);
   // the upper half of a short range counts in full; so does all of a single level
-  sampling.tau = {0.1, 0.2};
+  sampling.tau = {0.04, 0.08};
   f = fades(sampling, 1e-9);
-  CHECK_NEAR(f[3], 0.1 * std::sqrt(2.), 1e-12);
-  sampling.tau = {0.1, 0.1};
+  CHECK_NEAR(f[3], 0.04 * std::sqrt(2.), 1e-12);
+  sampling.tau = {0.04, 0.04};
   f = fades(sampling, 1e-9);
-  CHECK(Amf::Scale_fade({f[2], f[3]})(0.1) == 1);
+  CHECK(Amf::Scale_fade({f[2], f[3]})(0.04) == 1);
+  // what takes as long as a quick movement counts in full, however coarse the frames are
+  sampling.tau = {0.1, 0.5};
+  f = fades(sampling, 1e-9);
+  CHECK_NEAR(f[3], 0.12, 1e-12);
+  sampling.tau = {0.13, 0.5};
+  f = fades(sampling, 1e-9);
+  CHECK(f[2] == f[3]);
+  sampling.unit_time = 1;
+  f = fades(sampling, 1e-9);
+  CHECK_NEAR(f[3], sampling.tau.min * 1.9611613513818404, 1e-9); // sqrt(0.5 / 0.13), the middle of the range
+  sampling.unit_time = 0.1;
   // none
   sampling.sigma_fade = sampling.tau_fade = 1;
   f = fades(sampling, 1e-9);

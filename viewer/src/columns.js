@@ -17,7 +17,7 @@ export const COLUMNS = [
   { key: "rank", head: "#", title: "rank by strength", first: 1, text: String },
   { key: "place", head: "Place", title: "features at one place at different times share a number", first: 1, text: String },
   { key: "time", head: "Time", title: "seconds", first: 1, text: (x) => x.toFixed(2) },
-  { key: "strength", head: "Strength", title: "amplitude times fit", first: -1, text: (x) => short(x) },
+  { key: "strength", head: "Strength", title: "amplitude times fit, less where the ranges of σ and τ begin", first: -1, text: (x) => short(x) },
   { key: "amplitude", head: "Ampl.", title: "amplitude: how much more than at its least the surface is deformed", first: -1, text: (x) => short(x, 2) },
   { key: "fit", head: "Fit", title: "correlation of the deformation with the feature's Gaussian", first: -1, text: (x) => x.toFixed(2) },
   { key: "sigma", head: "σ", title: "spatial scale, in the unit of the mesh", first: -1, text: (x) => short(x, 2) },

@@ -156,7 +156,7 @@ export class Details {
     if (f === undefined) return;
     this.panel.querySelector("h2").textContent = `${this.name ? `${this.name}, feature` : "Feature"} ${f.rank}`;
     const numbers = [
-      ["Strength", short(f.strength, 4), "strength", "amplitude times fit"],
+      ["Strength", short(f.strength, 4), "strength", "amplitude times fit, less where the ranges of σ and τ begin"],
       ["Amplitude", short(f.amplitude ?? NaN, 4), "amplitude", "how much more than at its least the surface is deformed"],
       ["Fit", short(f.fit ?? NaN, 3), "fit", "correlation of the deformation with the feature's Gaussian"],
       ["Time", seconds(f.time), "time"],
