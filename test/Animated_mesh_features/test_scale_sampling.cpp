@@ -246,6 +246,7 @@ void test_fade()
   };
   Amf::Fixed_ratio_sampling sampling;
   sampling.sigma = {1, 32};
+  sampling.unit_length = 20;
   sampling.tau = {0.04, 0.5};
   std::array<double, 4> f = fades(sampling, 1e-9);
   const std::array<double, 4> expected = {{1, 1.6, 0.04, 0.08}};
@@ -261,7 +262,13 @@ void test_fade()
   sampling.tau = {0.04, 0.04};
   f = fades(sampling, 1e-9);
   CHECK(Amf::Scale_fade({f[2], f[3]})(0.04) == 1);
-  // what takes as long as a quick movement counts in full, however coarse the frames are
+  // what is as large as an ankle counts in full, however coarse the mesh is, or takes as long as a quick movement
+  sampling.unit_length = 3;
+  CHECK_NEAR(fades(sampling, 1e-9)[1], 1.2, 1e-12);
+  sampling.unit_length = 2;
+  f = fades(sampling, 1e-9);
+  CHECK(f[0] == f[1]);
+  sampling.unit_length = 20;
   sampling.tau = {0.1, 0.5};
   f = fades(sampling, 1e-9);
   CHECK_NEAR(f[3], 0.12, 1e-12);

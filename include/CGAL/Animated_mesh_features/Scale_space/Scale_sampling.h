@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <sstream>
 #include <string>
 
@@ -56,7 +55,8 @@ struct Fixed_ratio_sampling
   /// are small, and strong from 0.8 % on. What the mesh cannot resolve is left out; the range begins there, then.
   Scale_range sigma;
 
-  /// from that many times the smallest \f$\sigma\f$ on features count as strong as they are; 1: all do.
+  /// from that many times the smallest \f$\sigma\f$ on features count as strong as they are, and from 0.4 times
+  /// `unit_length` on in any case, 2 % of the diameter: ankles and wrists; 1: all do.
   double sigma_fade = 1.6;
 
   /// likewise for \f$\tau\f$. What takes less than two frames is sampled by one or two: whether it is found depends on when
@@ -112,8 +112,7 @@ struct Fixed_ratio_sampling
     levels.unit_time = unit_time;
     levels.reported_sigma = s;
     levels.reported_tau = t;
-    const double anything = std::numeric_limits<double>::infinity();
-    levels.sigma_fade = fade(s, sigma_fade, anything, levels.space_variances[2], sigma_ratio);
+    levels.sigma_fade = fade(s, sigma_fade, 0.4 * levels.unit_length, levels.space_variances[2], sigma_ratio);
     levels.tau_fade = fade(t, tau_fade, 1.2 * unit_time, levels.time_variances[2], tau_ratio);
     return levels;
   }
