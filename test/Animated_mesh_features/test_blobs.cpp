@@ -266,6 +266,7 @@ void test_strength(const Mesh& ball)
     Amf::Calibrated_options options;
     options.sampling.sigma = {sigma_min, 0.6};
     options.sampling.tau = {tau_min, 0.5};
+    options.sampling.unit_length = options.sampling.unit_time = 1; // larger than these, nothing fades
     options.selection.absolute_threshold = 0;
     const std::vector<Feature> features = found(ball, field, frame_duration, options);
     CHECK(!features.empty());

@@ -232,7 +232,7 @@ expect 0 "" mirrored.glb "${fist[@]}" --rest first -o mirrored.json
 "${compare[@]}" exact x.json mirrored.json || fail "a mirror image has other features"
 # from scales on at which the meshes of the two hands, which are not the same, resolve the same
 fist+=(--sigma-range 1%:)
-longer=(--threshold 0.05 --min-fit 0.4)
+longer=(--threshold 0.03 --min-fit 0.4)
 expect 0 "" hand.glb "${fist[@]}" "${longer[@]}" -o right.json
 expect 0 "" left.glb "${fist[@]}" "${longer[@]}" -o left.json
 for hand in right left; do

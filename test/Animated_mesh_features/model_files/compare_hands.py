@@ -65,10 +65,10 @@ def alike(a, b, all_a, all_b, path, clip):
     for mine, others in (a, all_b), (b, all_a):
         for rank, f in enumerate(mine):
             like = min(others, key=lambda g: apart(f, g))
-            is_found = apart(f, like) < 1.5 and 0.5 < like["strength"] / f["strength"] < 2
+            is_found = apart(f, like) < 1.5 and 0.5 < like["amplitude"] / f["amplitude"] < 2
             found += is_found
-            print("vertex %4d strength %.3f: vertex %4d strength %.3f, %.2f scales apart%s" % (
-                f["vertex"], f["strength"], like["vertex"], like["strength"], apart(f, like),
+            print("vertex %4d amplitude %.3f: vertex %4d amplitude %.3f, %.2f scales apart%s" % (
+                f["vertex"], f["amplitude"], like["vertex"], like["amplitude"], apart(f, like),
                 "" if is_found else ": another one"))
             assert is_found or rank >= 3, "one of the three strongest has no like"
     print("%d of %d features of either hand have their like on the other" % (found, len(a) + len(b)))
