@@ -38,8 +38,8 @@ class Views(NamedTuple):
 
 
 @takes("running")
-def select_views(animation, features=None, *, up=None, subdivisions=2, refinements=3, most_frames=16, most_views=3,
-                 lowest_elevation=5.0, highest_elevation=50.0, cyclic=None, visitor, **options) -> Views:
+def select_views(animation, features=None, *, up=None, subdivisions=2, refinements=3, most_frames=8, most_views=3,
+                 lowest_elevation=5.0, highest_elevation=50.0, cyclic=False, visitor, **options) -> Views:
     """Chooses where to look at an animation from so that its features are seen while they last, as the program
     ``detect_features`` does with ``--views``; without features, by the entropy of what is seen of the triangles
     (Vázquez et al. 2001). The camera follows the body and stands upright.
@@ -65,9 +65,9 @@ def select_views(animation, features=None, *, up=None, subdivisions=2, refinemen
     lowest_elevation, highest_elevation : float
         of the views that are chosen from (degrees), from -90 to 90. By default the camera looks down a little, so that
         the ground is seen, and not so much that the body is seen as on a plan.
-    cyclic : bool, optional
-        whether the last frame is followed by the first, so that a feature near one end lives on at the other. By default
-        as the features were detected, False of others.
+    cyclic : bool
+        whether the last frame is followed by the first, so that a feature near one end lives on at the other; so it is
+        in any case if the features were detected like that.
     {running}
 
     Raises
@@ -76,7 +76,7 @@ def select_views(animation, features=None, *, up=None, subdivisions=2, refinemen
     """
     if isinstance(animation, Detection):
         features = animation if features is None else features
-        cyclic = animation.parameters["cyclic"] if cyclic is None else cyclic
+        cyclic = cyclic or animation.parameters["cyclic"]
         animation = animation.animation
     if not isinstance(animation, Animation):
         raise TypeError("an Animation is looked at, or what was detected in one")

@@ -21,4 +21,5 @@ class Views(NamedTuple):
 def select_views(animation: Union[Animation, Detection], features: Optional[np.ndarray] = ..., *,
                  up: Union[None, str, ArrayLike] = ..., subdivisions: int = ..., refinements: int = ...,
                  most_frames: int = ..., most_views: int = ..., lowest_elevation: float = ...,
-                 highest_elevation: float = ..., threads: Optional[int] = ..., visitor: Visitor = ...) -> Views: ...
+                 highest_elevation: float = ..., cyclic: bool = ..., threads: Optional[int] = ...,
+                 visitor: Visitor = ...) -> Views: ...

@@ -255,8 +255,8 @@ def test_shared_keywords():
             if p.name in table and p.kind is p.KEYWORD_ONLY and (name, p.name) != ("detect_in_field", "baseline"):
                 assert p.default == table[p.name], (name, p.name)
     assert str(inspect.signature(amf.distance_matrix)).startswith(
-        "(animations, *, distance_place_weight=0.0, distance_recurrence_weight=1.0, cycle_weight=0.1, threads=None, "
-        "visitor=None)")
+        "(animations, *, distance_place_weight=0.0, distance_recurrence_weight=1.0, cycle_weight=0.1, "
+        "variation_weight=0.4, duration_weight=0.1, threads=None, visitor=None)")
     with pytest.raises(TypeError, match=r"align\(\) got an unexpected keyword argument 'alpha'"):
         amf.align(None, None, alpha=1)
 

@@ -49,7 +49,8 @@ struct Response_extrema
   bool has_amplitudes = false;            ///< whether the response knows the amplitudes of events
   std::vector<double> sigma_levels;       ///< the \f$\sigma\f$ of all space levels (length)
   std::vector<double> tau_levels;         ///< the \f$\tau\f$ of all time levels (s)
-  Scale_fade sigma_fade, tau_fade;        ///< how much an extremum counts by its scales, see `Scale_levels`
+  Scale_fade sigma_fade;                  ///< how much an extremum counts by its \f$\sigma\f$, see `Scale_levels`
+  Scale_fade tau_fade;                    ///< likewise by its \f$\tau\f$
 };
 
 } // namespace Animated_mesh_features
