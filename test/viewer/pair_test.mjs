@@ -42,14 +42,19 @@ export async function testPair({ open, check, near, set, state, pair }) {
   const { a: i, b: j } = matches[0];
   await page.locator(`#rows tr[data-index="${i}"]`).click();
   check((await second()).selected === j, `the partner of feature ${i} is selected: ${(await second()).selected}, not ${j}`);
-  await set(page, { selected: -1 });
-  // the first one that the body does not hide
-  const at = await page.evaluate((ranks) => {
-    const { stage, scene } = viewer.companion;
-    stage.draw(0, false);
-    const places = ranks.map((k) => stage.project(scene.features[k])).map(({ x, y }) => ({ x, y, hit: stage.featureAt(x, y) }));
-    return places.find(({ hit }) => hit >= 0) ?? places[0];
-  }, matches.map((match) => match.b));
+  // a click on the other surface, on the first partner that the body does not hide when its own feature is shown
+  let at;
+  for (const match of matches) {
+    await page.locator(`#rows tr[data-index="${match.a}"]`).click();
+    await set(page, { selected: -1 });
+    at = await page.evaluate((k) => {
+      const { stage, scene } = viewer.companion;
+      stage.draw(0, false);
+      const { x, y } = stage.project(scene.features[k]);
+      return { x, y, hit: stage.featureAt(x, y) };
+    }, match.b);
+    if (at.hit >= 0) break;
+  }
   await page.locator("#canvas-b").click({ position: { x: at.x, y: at.y } });
   const hit = matches.find((match) => match.b === at.hit);
   check(at.hit >= 0 && (await second()).selected === at.hit && (await state(page)).selected === (hit?.a ?? -1), `a click on the second surface selects ${at.hit} and its partner`);
