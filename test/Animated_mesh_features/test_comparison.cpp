@@ -518,9 +518,10 @@ void test_cancelled()
       {200, [&] { Amf::animation_distance(a, a); }},
       {150, [&] { Amf::match_features(events, events); }}, // features, candidates, iterations
       {30, [&] { Amf::align_events(events, events); }}};
-  for (const auto& [patience, compute] : computations) {
+  for (const auto& computation : computations) {
+    const std::function<void()>& compute = computation.second; // no binding, which a lambda could not capture
+    const int most = computation.first;
     int asked = 0;
-    const int most = patience;
     const auto goes_on = [&] { return ++asked < most; };
     const Amf::internal::Cancellation_scope scope(goes_on);
     CHECK_THROWS(Amf::Cancelled, compute(), "");
