@@ -130,8 +130,13 @@ export class Timeline {
         Object.assign(g, { lineWidth, strokeStyle });
         g.beginPath();
         for (const [from, to] of this.scene.spans(f)) {
-          g.moveTo(this.x(from), y);
-          g.lineTo(this.x(to), y);
+          const left = this.x(from), right = this.x(to);
+          // beside a loop, what goes on across the end of the axis
+          const pieces = left <= right ? [[left, right]] : [[left, this.along(this.axis.duration)], [this.along(0), right]];
+          for (const [x, end] of pieces) {
+            g.moveTo(x, y);
+            g.lineTo(end, y);
+          }
         }
         g.stroke();
       };

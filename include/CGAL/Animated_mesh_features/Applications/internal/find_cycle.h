@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/Applications/Activity.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -44,6 +45,13 @@ inline Cycle find_cycle(const std::vector<double>& profile, double step)
     highest = (std::max)(highest, profile[k]);
   }
   return Cycle();
+}
+
+// A loop is a whole number of cycles; the one that is found, or else one.
+inline Cycle cycle_of_loop(const Cycle& found, double duration)
+{
+  if (!(found.period > 0)) return {duration, 1};
+  return {duration / (std::max)(std::round(duration / found.period), 1.), found.strength};
 }
 
 } // namespace internal
