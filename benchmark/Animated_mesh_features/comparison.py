@@ -319,6 +319,18 @@ def retrieval_actions(compare, data, work):
     folder, listed = data / "actions", work / "actions.txt"
     listed.write_text("".join(f'"{folder}/{c}.obj" "{folder}/{c}__{a}.pc2" --fps {fps} --rest "{folder}/{c}.obj"\n'
                               for c, a, fps in clips))
+    # those that are played again and again, as loops
+    loops = work / "loops.txt"
+    loops.write_text("".join(line + (" --cyclic" if meta[c]["actions"][a]["cycles"] else "") + "\n"
+                             for line, (c, a, _) in zip(listed.read_text().splitlines(), clips)))
+    for which, collection in (("as loops", loops), ("as they end", listed)):
+        found = compare("matrix", collection)
+        kept = [i for i, (c, a, _) in enumerate(clips) if meta[c]["actions"][a]["cycles"]]
+        distances = np.array(found["distances"])
+        names = [found["animations"][i]["name"].split("__") for i in range(len(distances))]
+        for of, some in (("", range(len(distances))), (" of those that are loops", kept)):
+            nearest, precision = retrieval(distances[np.ix_(some, some)], *zip(*(names[i] for i in some)))
+            yield f"actions, {which}{of}: nearest neighbour", nearest, None, f"mean average precision {precision:.3f}"
     yield from retrieval_rows(compare, "actions", [listed], lambda name: name.split("__"),
                               [folder / f"{c}__{a}.pc2" for c, a, _ in clips], [fps for _, _, fps in clips])
 

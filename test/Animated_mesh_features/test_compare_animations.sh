@@ -71,6 +71,25 @@ check "npy_shape('described.npy') == (len(described['features']), 100) and descr
 expect 0 "" describe set/a.pc2 --descriptor oriented -o oriented.json
 check "oriented['length'] == 192" oriented
 
+# what is kept is found again, unless a file or an option is another one
+mkdir kept changed && cp set/a.obj set/a.pc2 changed
+kept() { ls kept | wc -l; }
+for number in 1 1; do
+  expect 0 "" describe changed/a.pc2 --cache kept -q
+  [[ $(kept) -eq $number ]] || fail "$(kept) signatures, not $number"
+done
+expect 0 "" describe changed/a.pc2 --cache kept -q --threshold 0.2
+[[ $(kept) -eq 2 ]] || fail "another threshold, the same signature"
+expect 0 "" describe changed/a.pc2 --cache kept -q --cyclic
+[[ $(kept) -eq 3 ]] || fail "a loop, the same signature"
+python3 - <<'PYTHON'
+data = bytearray(open("changed/a.pc2", "rb").read())
+data[-2] ^= 1
+open("changed/a.pc2", "wb").write(data)
+PYTHON
+expect 0 "" describe changed/a.pc2 --cache kept -q
+[[ $(kept) -eq 4 ]] || fail "another file, the same signature"
+
 # the same as a loop, from its 8th frame on: the same events, features and distance 0
 python3 - <<'PYTHON'
 import struct
