@@ -98,7 +98,7 @@ n, frames = struct.unpack("<I", data[16:20])[0], struct.unpack("<I", data[28:32]
 first = 32 + 7 * 12 * n
 open("set/rotated.pc2", "wb").write(data[:32] + data[first:] + data[32:first])
 PYTHON
-expect 0 "a loop" set/a.obj,set/a.pc2 set/a.obj,set/rotated.pc2 --cyclic -o loops.json --cache .
+expect 0 "" set/a.obj,set/a.pc2 set/a.obj,set/rotated.pc2 --cyclic -o loops.json --cache .
 check "loops['distance'] < 1e-5 and loops['alignment']['cost'] < 1e-5 and len(loops['matches']) == loops['a']['features'] > 5
        and abs(loops['alignment']['phase'] - 7 / loops['a']['frames']) < 1e-4 and loops['alignment']['confidence'] > 0.5
        and max(abs((m['time_a'] - m['time_b']) * 30 % loops['a']['frames'] - 7) for m in loops['matches']) < 1e-3
