@@ -734,6 +734,18 @@ void test_loops()
   CHECK(Amf::align_animations(a, warped, even).cost == 1);
   CHECK(Amf::align_animations(a, loop_of(48, frame, 17), even).cost < 1e-6);
 
+  // half of it is nearly as the other half: one cycle, as long as it is played without end; twice the same: two
+  for (double odd : {0.4, 0.}) {
+    Field halves(1, 40);
+    for (std::size_t f = 0; f < 40; ++f)
+      halves(0, f) = 2 + std::cos(4 * pi * double(f) / 40) + odd * std::cos(2 * pi * double(f) / 40);
+    Amf::Activity_options around;
+    around.is_cyclic = true;
+    const Amf::Activity loop = Amf::animation_activity(halves, {1.}, {}, frame, around);
+    CHECK_NEAR(loop.cycle.period, (odd > 0 ? 40 : 20) * frame, 1e-9);
+    CHECK_NEAR(loop.cycle.strength, 1, 1e-6);
+  }
+
   // of features, whose Gaussians go around
   const Amf::Feature_point event = feature_at(0, 0.1, 1, 0.2);
   Amf::Activity_options cyclic;

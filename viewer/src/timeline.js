@@ -176,7 +176,9 @@ export class Timeline {
     g.lineWidth = 1;
     g.font = "10px system-ui, sans-serif";
     g.textBaseline = "top";
-    for (let i = 0; i * step <= this.scene.duration * (1 + 1e-9); ++i) {
+    // the end of a loop beside another animation is where it begins
+    const end = this.scene.duration * (this.scene.cyclic && this.axis.name ? 1 - 1e-9 : 1 + 1e-9);
+    for (let i = 0; i * step <= end; ++i) {
       const x = Math.round(this.x(i * step)) + 0.5;
       g.beginPath();
       g.moveTo(x, 0);

@@ -127,7 +127,7 @@ public:
         }
       std::vector<double> profile = m_profile;
       for (double& x : profile) x /= 2 * m_variance;
-      a.cycle = find_cycle(profile, double(m_step) * m_sample_duration);
+      a.cycle = find_cycle(profile, double(m_step) * m_sample_duration, m_is_cyclic ? 0 : 1);
       if (m_is_cyclic) a.cycle = cycle_of_loop(a.cycle, a.duration());
     }
     double places = 0;
