@@ -193,9 +193,8 @@ py::array_t<Match_record> match(const Signature& a, const Signature& b, const Al
   monitor.run([&] {
     const Options o = options_of(arguments, COMPARISON);
     run_stage(monitor, "matching", [&] {
-      matches = alignment == nullptr
-                    ? AMF::match_features(a.events, b.events, o.comparison.matching)
-                    : AMF::match_aligned_features(a, b, alignment->times, o.comparison.matching);
+      matches = alignment == nullptr ? AMF::match_features(a.events, b.events, o.comparison.matching)
+                                     : AMF::match_aligned_features(a, b, alignment->times, o.comparison.matching);
     });
   });
   return array_of_matches(matches);

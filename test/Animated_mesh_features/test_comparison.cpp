@@ -127,12 +127,14 @@ void test_neighbourhood()
   const double disc = 3.14159265358979323846 * 3.25 * 3.25; // rings reach half a step farther, vertices a whole one
   CHECK(area > 0.75 * disc && area < disc);
   // counterclockwise from outside: a gradient, and the one a quarter turn from it
-  const Field quarter = field_of(square.points, 41, duration, [&](const Vec& p, double) { return slope[0] * p[1] - slope[1] * p[0]; });
+  const Field quarter =
+      field_of(square.points, 41, duration, [&](const Vec& p, double) { return slope[0] * p[1] - slope[1] * p[0]; });
   Amf::Neighbourhood_sampler<double> quarter_sampler(shape, quarter, duration);
   const auto g = n.gradients[0], h = quarter_sampler(f).gradients[0];
   CHECK_NEAR(g[0] * h[1] - g[1] * h[0], slope.squaredNorm() * f.sigma * f.sigma, 1e-6);
   // at the end of a surface there are fewer
-  const std::size_t border = sampler(feature_at(nearest_vertex(square.points, Vec(0, 0.5, 0)), 1, 0.1, 0.4)).places.size();
+  const std::size_t border =
+      sampler(feature_at(nearest_vertex(square.points, Vec(0, 0.5, 0)), 1, 0.1, 0.4)).places.size();
   CHECK(border > 64 && border < 127);
   CHECK_THROWS(Amf::Input_error, sampler(feature_at(square.points.size(), 1, 0.1, 0.1)), "vertices");
   CHECK_THROWS(Amf::Input_error, sampler(feature_at(centre, 1, 0, 0.1)), "must be positive");
@@ -222,14 +224,15 @@ void test_descriptors()
   // a loop, in the middle of the event and from it on
   const std::size_t frames = 36;
   const auto around = [&](const Vec& p, double t) { return event(p, t + 1 - frames * duration) + event(p, t + 1); };
-  const Field loop = field_of(square.points, frames, duration, event), late = field_of(square.points, frames, duration, around);
+  const Field loop = field_of(square.points, frames, duration, event),
+              late = field_of(square.points, frames, duration, around);
   const auto of_loop = [&](const Field& values, double time, bool is_cyclic) {
-    const Amf::Feature_descriptors d =
-        Amf::describe_features(shape, values, duration, {feature_at(centre, time, 0.12, 0.25)}, Rotation_free(),
-                               [](std::size_t count, const auto& task) {
-                                 for (std::size_t i = 0; i < count; ++i) task(i);
-                               },
-                               is_cyclic);
+    const Amf::Feature_descriptors d = Amf::describe_features(
+        shape, values, duration, {feature_at(centre, time, 0.12, 0.25)}, Rotation_free(),
+        [](std::size_t count, const auto& task) {
+          for (std::size_t i = 0; i < count; ++i) task(i);
+        },
+        is_cyclic);
     return std::vector<float>(d[0], d[0] + d.length());
   };
   CHECK(difference(of_loop(loop, 1, true), of_loop(late, 0, true)) < 0.02);
@@ -662,7 +665,8 @@ Amf::Activity loop_of(std::size_t frames, double duration, std::size_t first, in
       if (clock) x = clock(x);
       const double when = kind == 0 ? double((7 * v) % n) / double(n) : double((5 * v + 3) % n) / 15.;
       const double angle = 2 * pi * (x - when), sharp = kind == 0 ? 3 + double(v % 4) : 9 - double(v % 3);
-      field(v, f) = (kind == 0 ? 1 + 0.5 * double(v % 4) : 3 - 0.5 * double(v % 5)) * std::exp(sharp * (std::cos(angle) - 1));
+      field(v, f) =
+          (kind == 0 ? 1 + 0.5 * double(v % 4) : 3 - 0.5 * double(v % 5)) * std::exp(sharp * (std::cos(angle) - 1));
     }
   }
   Amf::Activity_options options;
@@ -705,7 +709,8 @@ void test_loops()
   // at other frame rates, played several times, slower, uneven
   CHECK(Amf::animation_distance(a, loop_of(24, 2 * frame, 5)) < 0.1 * different);
   CHECK(Amf::animation_distance(a, loop_of(96, frame / 2, 33)) < 0.1 * different);
-  for (std::size_t plays : {2, 3}) CHECK_NEAR(Amf::animation_distance(a, loop_of(48, frame, 31, 0, true, plays)), 0, 1e-6);
+  for (std::size_t plays : {2, 3})
+    CHECK_NEAR(Amf::animation_distance(a, loop_of(48, frame, 31, 0, true, plays)), 0, 1e-6);
   const auto uneven = [&](double x) { return x + 0.25 * std::sin(2 * pi * x) / (2 * pi); };
   const Amf::Activity warped = loop_of(57, frame, 20, 0, true, 1, uneven);
   const Amf::Time_alignment way = Amf::align_animations(warped, a);

@@ -105,7 +105,8 @@ void add_options(const Item& item, const Settings& s, Hash& hash)
   os.precision(17);
   os << version << ' ' << ANIMATED_MESH_FEATURES_VERSION << '\n'
      << text_of(r.frames_per_second) << '\n'
-     << r.as_given << r.triangulate << r.repair << int(r.weld) << r.skip_bad_frames << int(r.denoise) << r.there_and_back << r.is_cyclic << '\n'
+     << r.as_given << r.triangulate << r.repair << int(r.weld) << r.skip_bad_frames << int(r.denoise)
+     << r.there_and_back << r.is_cyclic << '\n'
      << r.clip << '\n'
      << r.part << '\n'
      << text_of(r.clip_frames) << ' ' << (r.frame_range ? r.frame_range->text : "") << '\n'

@@ -256,7 +256,8 @@ Result compare_pair(const Settings& s)
   text.number(alignment.confidence, 3);
   if (alignment.phase) {
     text << "\n           phase of B: ";
-    text.number(*alignment.phase, 3) << (a.activity.is_cyclic && b.activity.is_cyclic ? " of the loop ahead" : " of a period ahead");
+    text.number(*alignment.phase, 3) << (a.activity.is_cyclic && b.activity.is_cyclic ? " of the loop ahead"
+                                                                                      : " of a period ahead");
   }
   text << "\n\n    time A   time B\n";
   const int rows = 8;

@@ -32,8 +32,8 @@ struct Time_alignment
   double cost = 0;             ///< from 0 for the same motion to 1
   double confidence = 0;       ///< from 0, no better than by chance, to 1
 
-  double period_a = 0;         ///< seconds, of the first animation if it is a loop; else 0
-  double period_b = 0;         ///< the same of the second one
+  double period_a = 0; ///< seconds, of the first animation if it is a loop; else 0
+  double period_b = 0; ///< the same of the second one
 
   /// of two cyclic motions: how much of a period the second one is ahead, from -0.5 to 0.5; of two loops, of the loop that
   /// is played once.

@@ -36,8 +36,9 @@ first and last one it is mirrored, or that of a loop goes on.
 The value and the gradient on the surface are those of the linear function that fits the vertices within
 \f$2\,\sigma\f$ best, each by its area times \f$(1 - d^2 / 4 \sigma^2)^2\f$ (moving least squares): smoothed at the
 feature's own scale, as gradients of images are in descriptors \cgalCite{lowe2004}, for those of single triangles depend
-on the mesh. Vertices up to \f$3.5\,\sigma\f$ count; the rings are turned to where the field is larger. The gradient in time is the difference of the samples before and after; \f$\tau\f$ is often hardly more
-than a frame, and smoothing makes events of different durations alike. A place without surface around is left out.
+on the mesh. Vertices up to \f$3.5\,\sigma\f$ from the feature count; the rings are turned to where the field is
+larger. The gradient in time is the difference of the samples before and after; it is not smoothed, as \f$\tau\f$ is often
+hardly more than a frame. A place without surface around it is left out.
 
 Keeps a few numbers for each vertex; the objects that it is made of are kept by reference. A call takes
 `O(k log k + 25 48 k)` for `k` vertices around the feature, each of which counts at 48 places, whatever the size of the
@@ -166,7 +167,8 @@ private:
       const Interpolation at = interpolation((f.time + tau * f.tau) / m_frame_duration);
       for (std::size_t i = 0; i < reached.size(); ++i) {
         const FT* row = m_field->row(reached[i]);
-        m_values[i * m_width + k] = float((1 - at.fraction) * double(row[at.frame]) + at.fraction * double(row[at.next]));
+        m_values[i * m_width + k] =
+            float((1 - at.fraction) * double(row[at.frame]) + at.fraction * double(row[at.next]));
       }
     }
   }

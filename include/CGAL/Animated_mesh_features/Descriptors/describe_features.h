@@ -98,8 +98,8 @@ Feature_descriptors describe_features(const Rest_shape& shape, const Spatio_temp
   Feature_descriptors result(features.size(), descriptor.length());
   internal::Thread_local<Neighbourhood_sampler<FT>> samplers;
   loop(features.size(), [&](std::size_t i) {
-    Neighbourhood_sampler<FT>& sampler =
-        samplers.get([&] { return std::make_unique<Neighbourhood_sampler<FT>>(shape, field, frame_duration, is_cyclic); });
+    Neighbourhood_sampler<FT>& sampler = samplers.get(
+        [&] { return std::make_unique<Neighbourhood_sampler<FT>>(shape, field, frame_duration, is_cyclic); });
     descriptor(sampler(features[i]), result[i]);
   });
   return result;

@@ -119,9 +119,10 @@ public:
           const std::size_t lag = (l + 1) * m_lag;
           // at the beginning the first sample stands for those before it
           const double after = m_recurrence[l * m_samples + t];
-          const double before = m_is_cyclic ? m_recurrence[l * m_samples + (t + m_samples - lag % m_samples) % m_samples]
-                                : t >= lag  ? m_recurrence[l * m_samples + t - lag]
-                                            : from_first(t);
+          const double before = m_is_cyclic
+                                    ? m_recurrence[l * m_samples + (t + m_samples - lag % m_samples) % m_samples]
+                                : t >= lag ? m_recurrence[l * m_samples + t - lag]
+                                           : from_first(t);
           a.recurrence[t * 2 * m_lags + l] = float(std::sqrt(after / unit));
           a.recurrence[t * 2 * m_lags + m_lags + l] = float(std::sqrt(before / unit));
         }

@@ -44,8 +44,8 @@ public:
 
   struct Way
   {
-    double cost; // relative, see Activity_cost
-    Point first; // where both are begun
+    double cost;             // relative, see Activity_cost
+    Point first;             // where both are begun
     std::vector<Point> path; // from there on
   };
 

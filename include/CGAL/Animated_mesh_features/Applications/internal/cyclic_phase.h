@@ -49,7 +49,7 @@ inline double cyclic_phase(const Activity& a, const Activity& b, const Activity_
 // The same of two loops by their map: how far, in the mean, the second one is ahead, as a share of the loop.
 inline double phase_of_loops(const Time_alignment& alignment)
 {
-  const std::vector<double> &a = alignment.times_a, &b = alignment.times_b;
+  const std::vector<double>&a = alignment.times_a, &b = alignment.times_b;
   if (a.size() < 2) return 0;
   const double length_a = a.back() - a.front(), length_b = b.back() - b.front();
   const auto ahead = [&](std::size_t k) { return a[k] / length_a - b[k] / length_b; };

@@ -68,8 +68,7 @@ std::vector<Candidate_pair> candidate_pairs(const Described_features& a, const D
   std::vector<Candidate_pair> result;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < m; ++j)
-      if (std::isfinite(differences[i * m + j]) &&
-          (o.mutual_nearest ? nearest[i * m + j] == 2 : near[i * m + j] > 0))
+      if (std::isfinite(differences[i * m + j]) && (o.mutual_nearest ? nearest[i * m + j] == 2 : near[i * m + j] > 0))
         result.push_back({of_a[i], of_b[j], differences[i * m + j]});
   return result;
 }

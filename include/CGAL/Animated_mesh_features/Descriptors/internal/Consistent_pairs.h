@@ -86,8 +86,7 @@ private:
     if (!(p > 0) && !(q > 0)) return {std::abs(s - t), (std::max)(std::abs(s), std::abs(t))};
     const double shorter = p > 0 && q > 0 ? (std::min)(p, q) : (std::max)(p, q);
     const bool is_one_way = p > 0 && q > 0 && (std::max)(p, q) < 1.5 * shorter;
-    const double late =
-        is_one_way ? std::remainder(s / p - t / q, 1) * (p + q) / 2 : std::remainder(s - t, shorter);
+    const double late = is_one_way ? std::remainder(s / p - t / q, 1) * (p + q) / 2 : std::remainder(s - t, shorter);
     return {std::abs(late), (std::max)(std::abs(std::remainder(s, p > 0 ? p : shorter)),
                                        std::abs(std::remainder(t, q > 0 ? q : shorter)))};
   }
