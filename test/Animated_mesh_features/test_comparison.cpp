@@ -382,8 +382,8 @@ Amf::Activity motion(std::size_t frames, double duration, const Clock& clock, in
   return Amf::animation_activity(field, areas, eccentricities, duration);
 }
 
-// The least sum over all ways, by trying all last steps.
-double plain_warping(const std::vector<std::vector<double>>& c, std::size_t slope)
+// The least sum over all ways, by trying all last steps; from the first to the last pair, if ends are fixed.
+double plain_warping(const std::vector<std::vector<double>>& c, std::size_t slope, bool has_fixed_ends = false)
 {
   const std::size_t n = c.size(), m = c[0].size();
   std::vector<std::vector<double>> best(n, std::vector<double>(m, std::numeric_limits<double>::infinity()));
@@ -391,8 +391,8 @@ double plain_warping(const std::vector<std::vector<double>>& c, std::size_t slop
     for (std::size_t j = 0; j < m; ++j) {
       double& b = best[i][j];
       if (i == 0 && j == 0) b = 2 * c[0][0];
-      if (i == 0 && j > 0) b = best[0][j - 1] + c[0][j];
-      if (j == 0 && i > 0) b = best[i - 1][0] + c[i][0];
+      if (i == 0 && j > 0 && !has_fixed_ends) b = best[0][j - 1] + c[0][j];
+      if (j == 0 && i > 0 && !has_fixed_ends) b = best[i - 1][0] + c[i][0];
       for (std::size_t q = 1; q <= slope; ++q) {
         if (i >= 1 && j >= q) {
           double sum = best[i - 1][j - q] + c[i][j - q + 1];
@@ -407,6 +407,7 @@ double plain_warping(const std::vector<std::vector<double>>& c, std::size_t slop
       }
     }
   double least = best[n - 1][m - 1], rest = 0;
+  if (has_fixed_ends) return least;
   for (std::size_t j = m - 1; j-- > 0;) least = std::min(least, best[n - 1][j] + (rest += c[n - 1][j + 1]));
   rest = 0;
   for (std::size_t i = n - 1; i-- > 0;) least = std::min(least, best[i][m - 1] + (rest += c[i + 1][m - 1]));
@@ -738,6 +739,33 @@ void test_loops()
   even.max_slope = 1;
   CHECK(Amf::align_animations(a, warped, even).cost == 1);
   CHECK(Amf::align_animations(a, loop_of(48, frame, 17), even).cost < 1e-6);
+
+  // against the plain form, on the mean alone: closed ways from all pairs with the first sample of either
+  Amf::Alignment_options of_mean;
+  of_mean.recurrence_weight = of_mean.recurrence_without_places = of_mean.place_weight = of_mean.bend_weight = 0;
+  of_mean.surrogates = 0;
+  const std::vector<float>&x = warped.mean, &y = other.mean;
+  const auto between = [](float value, const std::vector<float>& of, std::size_t k) { // where the other one is linear
+    const std::size_t n = of.size();
+    const double here = of[k], before = (here + of[(k + n - 1) % n]) / 2, after = (here + of[(k + 1) % n]) / 2;
+    return std::max({std::min({here, before, after}) - value, value - std::max({here, before, after}), 0.});
+  };
+  const auto closed = [&](std::size_t first_a, std::size_t first_b) {
+    std::vector<std::vector<double>> costs(x.size() + 1, std::vector<double>(y.size() + 1));
+    for (std::size_t i = 0; i <= x.size(); ++i)
+      for (std::size_t j = 0; j <= y.size(); ++j) {
+        const std::size_t k = (first_a + i) % x.size(), l = (first_b + j) % y.size();
+        costs[i][j] = std::min(between(x[k], y, l), between(y[l], x, k));
+      }
+    return plain_warping(costs, of_mean.max_slope, true) - 2 * costs[0][0];
+  };
+  double least = closed(0, 0), norm = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) least = std::min(least, closed(i, 0));
+  for (std::size_t j = 0; j < y.size(); ++j) least = std::min(least, closed(0, j));
+  for (float value : x) norm += double(value);
+  for (float value : y) norm += double(value);
+  CHECK(least > 0);
+  CHECK_NEAR(Amf::align_animations(warped, other, of_mean).cost, least / norm, 1e-6);
 
   // half of it is nearly as the other half: one cycle, as long as it is played without end; twice the same: two
   for (double odd : {0.4, 0.}) {
