@@ -70,7 +70,7 @@ SEARCH = """
 SELECTION = """
     threshold : float, optional
         least strength, in the unit of the deformation: amplitude times fit, less where the ranges of
-        scales begin. By default 0.115; (p) none.
+        scales begin. By default 0.1; (p) none.
     relative_threshold : float, optional
         least strength as a fraction of the strongest one, 0 to 1. By default none; (p) 0.2. If only one of the two
         thresholds is given, the other is none; the stricter one decides.

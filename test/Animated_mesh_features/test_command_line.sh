@@ -636,7 +636,7 @@ check 'all(f["tau"] >= 0.105 * (1 - 1e-6) for f in x["features"])'
 differs --tau-range :0.11
 find_features --threshold 0
 check 'len(x["features"]) > len(base["features"])'
-check 'p(x)["threshold"] == 0 == p(x)["relative_threshold"] and p(base)["threshold"] == 0.115'
+check 'p(x)["threshold"] == 0 == p(x)["relative_threshold"] and p(base)["threshold"] == 0.1'
 find_features --relative-threshold 1
 check 'len(x["features"]) == 1 and x["features"][0] == base["features"][0] and p(x)["threshold"] == 0'
 find_features --threshold 1e6

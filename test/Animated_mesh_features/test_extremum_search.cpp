@@ -18,6 +18,7 @@
 #include <CGAL/Animated_mesh_features/Extrema/internal/Scale_space_engine.h>
 #include <CGAL/Animated_mesh_features/Extrema/internal/refine_extremum.h>
 #include <CGAL/Animated_mesh_features/Detection/internal/suppress_non_maxima.h>
+#include <CGAL/Animated_mesh_features/Detection/internal/suppress_overlapped.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Default_visitor.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Task_loop.h>
 
@@ -26,6 +27,7 @@
 #endif
 
 #include <limits>
+#include <numeric>
 #include <set>
 #include <string>
 #include <tuple>
@@ -704,15 +706,13 @@ void test_refined_places()
 struct Plain_feature
 {
   std::size_t vertex_index;
-  double time, sigma, tau;
+  double time, sigma, tau, strength;
 };
 
-void test_suppression()
+// The lengths of shortest paths along edges, of all pairs of vertices.
+std::vector<Row> all_path_lengths(const Rest_shape& shape)
 {
-  Random random(55);
-  const Rest_shape shape = rest_shape_of(mixed_surface(random));
   const std::size_t n = shape.number_of_vertices();
-  // lengths of shortest paths along edges, of all pairs
   std::vector<Row> length(n, Row(n, std::numeric_limits<double>::infinity()));
   for (std::size_t v = 0; v < n; ++v) length[v][v] = 0;
   for (const Rest_shape::Edge& e : shape.edges())
@@ -721,10 +721,19 @@ void test_suppression()
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) length[i][j] = (std::min)(length[i][j], length[i][k] + length[k][j]);
+  return length;
+}
+
+void test_suppression()
+{
+  Random random(55);
+  const Rest_shape shape = rest_shape_of(mixed_surface(random));
+  const std::size_t n = shape.number_of_vertices();
+  const std::vector<Row> length = all_path_lengths(shape);
   for (const std::size_t count : {0, 1, 30, 600}) {
     std::vector<Plain_feature> features;
     for (std::size_t i = 0; i < count; ++i)
-      features.push_back({random.below(n), random(0, 2), random.power(0.03, 0.4), random.power(0.03, 0.4)});
+      features.push_back({random.below(n), random(0, 2), random.power(0.03, 0.4), random.power(0.03, 0.4), 1});
     const auto alike = [](double a, double b) { return (std::max)(a, b) <= 1.5 * (std::min)(a, b); };
     std::vector<std::size_t> expected;
     for (std::size_t i = 0; i < count; ++i) {
@@ -747,6 +756,68 @@ void test_suppression()
   }
 }
 
+// The cosine of two Gaussians along a line and in time, by sums.
+double summed_overlap(const Plain_feature& a, const Plain_feature& b, double distance, double later)
+{
+  const auto cosine = [](double width_a, double width_b, double apart) {
+    double ab = 0, aa = 0, bb = 0;
+    const double step = (std::min)(width_a, width_b) / 8, end = 8 * (std::max)(width_a, width_b) + apart;
+    for (double x = -end; x < end; x += step) {
+      const double f = std::exp(-x * x / (2 * width_a * width_a));
+      const double g = std::exp(-(x - apart) * (x - apart) / (2 * width_b * width_b));
+      ab += f * g;
+      aa += f * f;
+      bb += g * g;
+    }
+    return ab / std::sqrt(aa * bb);
+  };
+  return cosine(a.sigma, b.sigma, distance) * cosine(a.tau, b.tau, later);
+}
+
+void test_overlapped()
+{
+  Random random(56);
+  const Rest_shape shape = rest_shape_of(mixed_surface(random));
+  const std::vector<Row> length = all_path_lengths(shape);
+  const Plain_feature one = {0, 0.5, 0.1, 0.2, 1}, other = {0, 0.7, 0.25, 0.15, 1};
+  CHECK(std::abs(Amf::internal::event_overlap(one, other, 0.17, 0.2) - summed_overlap(one, other, 0.17, 0.2)) < 1e-9);
+  CHECK(std::abs(Amf::internal::event_overlap(one, one, 0, 0) - 1) < 1e-15);
+  for (const double period : {0., 2.})
+    for (const double least : {0., 0.1, 0.3}) {
+      const Amf::internal::Time_difference between(period);
+      std::vector<Plain_feature> features;
+      for (std::size_t i = 0; i < 400; ++i)
+        features.push_back({random.below(shape.number_of_vertices()), random(0, 2), random.power(0.03, 0.4),
+                            random.power(0.03, 0.4), random.power(0.1, 2)});
+      std::vector<std::size_t> order(features.size());
+      std::iota(order.begin(), order.end(), std::size_t(0));
+      const auto norm = [&](std::size_t i) {
+        return features[i].strength * std::sqrt(features[i].sigma * features[i].tau);
+      };
+      std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return norm(i) > norm(j); });
+      std::vector<std::size_t> expected;
+      for (std::size_t i : order) {
+        const Plain_feature& weak = features[i];
+        bool dropped = false;
+        for (std::size_t j : expected) {
+          const Plain_feature& strong = features[j];
+          const double distance = length[weak.vertex_index][strong.vertex_index], later = between(weak.time, strong.time);
+          if (distance > 3 * (std::max)(weak.sigma, strong.sigma) || later > 3 * (std::max)(weak.tau, strong.tau)) continue;
+          const double overlap = Amf::internal::event_overlap(weak, strong, distance, later);
+          const double exponent = 1.5 / (std::max)(norm(i) / norm(j), 0.2);
+          dropped = dropped || (overlap >= 0.03 && weak.strength * std::pow(1 - overlap, exponent) < least);
+        }
+        if (!dropped) expected.push_back(i);
+      }
+      std::sort(expected.begin(), expected.end());
+      const auto kept = Amf::internal::Overlap_suppression<Plain_feature>(shape, features, between).kept(least);
+      bool equal = kept.size() == expected.size();
+      for (std::size_t i = 0; equal && i < kept.size(); ++i) equal = kept[i].time == features[expected[i]].time;
+      CHECK(equal);
+      CHECK(least > 0 ? kept.size() > 20 && kept.size() < 390 : kept.size() == features.size());
+    }
+}
+
 int main()
 {
   test_against_brute_force();
@@ -758,6 +829,7 @@ int main()
   test_interpolated_scales();
   test_refined_places();
   test_suppression();
+  test_overlapped();
 #endif
   return test_result();
 }

@@ -96,7 +96,7 @@ def test_descriptors(pair):
     features["vertex"], features["triangle"] = rank[features["vertex"]], rank[features["triangle"]]
     features["sigma"] *= 5
     other = amf.Animation(moved[:, order], rank[a.animation.faces], fps=30, rest=shape[order])
-    other = amf.detect_in_field(a.deformation[order], other, threshold=0.115)
+    other = amf.detect_in_field(a.deformation[order], other, threshold=0.1)
     for descriptor in ("rotation-free", "oriented"):
         np.testing.assert_allclose(amf.descriptors(other, features, descriptor=descriptor),
                                    amf.descriptors(a, descriptor=descriptor), atol=2e-3)

@@ -185,7 +185,7 @@ void add_selection_options(Option_group& group, Method_options& o)
 {
   group.add("threshold", "T",
             "least strength, in the unit of the deformation: the amplitude of the event times its fit, less where the "
-            "ranges of scales begin (default: 0.115; p: none)",
+            "ranges of scales begin (default: 0.1; p: none)",
             [&](const Argument& a) { o.threshold = a.non_negative_number(); });
   group.add("relative-threshold", "T",
             "least strength as a fraction of the strongest one, 0 to 1 (default: none; p: 0.2). If only one of the two "

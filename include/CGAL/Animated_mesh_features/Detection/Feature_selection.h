@@ -9,6 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
+#include <algorithm>
 #include <cstddef>
 
 namespace CGAL {
@@ -24,9 +25,9 @@ a field of another unit see `of_any_field()`.
 */
 struct Feature_selection
 {
-  /// the least strength, in the unit of the field. By default 0.115, above which three features in four are at a
+  /// the least strength, in the unit of the field. By default 0.1, above which three features in four are at a
   /// joint that moves, measured on bodies with skeletons. It does not depend on what else happens in the clip.
-  double absolute_threshold = 0.115;
+  double absolute_threshold = 0.1;
 
   /// the least strength, as a fraction of the strongest one found, in [0, 1]; by default there is none. The stricter of the
   /// two thresholds decides. A single burst hides everything else by it.
@@ -40,7 +41,11 @@ struct Feature_selection
   std::size_t most_features = std::size_t(-1);
 
   /// whether to drop what lies within max(sigma) on the surface and max(tau) in time of a stronger feature, if sigma
-  /// and tau of the two are each within a factor of 1.5. In a cyclic animation times differ by the shorter way round.
+  /// and tau of the two are each within a factor of 1.5; and, whatever the scales, what overlaps an event of larger norm,
+  /// if what is then left of its strength is below the threshold: \f$(1 - \rho)^{1.5 / r}\f$ of it, where \f$\rho\f$ is the
+  /// cosine between the two Gaussians and \f$r\f$ the ratio of their norms, strength times \f$\sqrt{\sigma\tau}\f$, at
+  /// least 0.2; soft non-maximum suppression \cgalCite{bodla2017}. In a cyclic animation times differ by the shorter way
+  /// round. Reported strengths stay what they are.
   bool suppress_non_maxima = true;
 
   /// whether features may lie on the border of the mesh, where the smoothing knows only one side.
@@ -53,6 +58,12 @@ struct Feature_selection
     selection.absolute_threshold = 0;
     selection.relative_threshold = 0.2;
     return selection;
+  }
+
+  /// the stricter of both thresholds, if `strongest` is the largest strength.
+  double least_strength(double strongest) const
+  {
+    return (std::max)(absolute_threshold, relative_threshold * strongest);
   }
 
   /// checks that the thresholds make sense.

@@ -59,9 +59,7 @@ public:
     constexpr std::size_t at_once = 256;
     double strongest = 0;
     std::size_t end = 0;
-    const auto least = [&] {
-      return (std::max)(selection.absolute_threshold, selection.relative_threshold * strongest);
-    };
+    const auto least = [&] { return selection.least_strength(strongest); };
     while (end < m_minima.size() && m_minima[end].amplitude >= least()) {
       const std::size_t first = end;
       end = (std::min)(m_minima.size(), end + at_once);

@@ -12,6 +12,7 @@
 #include <CGAL/Animated_mesh_features/Detection/internal/Time_difference.h>
 #include <CGAL/Animated_mesh_features/Detection/internal/mark_places.h>
 #include <CGAL/Animated_mesh_features/Detection/internal/suppress_non_maxima.h>
+#include <CGAL/Animated_mesh_features/Detection/internal/suppress_overlapped.h>
 
 #include <algorithm>
 #include <tuple>
@@ -39,6 +40,8 @@ std::vector<Feature> selected_features(const Rest_shape& shape, std::vector<Feat
                                        const Feature_selection& selection,
                                        const Time_difference& between = Time_difference())
 {
+  double strongest = 0;
+  for (const Feature& f : minima) strongest = (std::max)(strongest, f.strength);
   const auto is_left_out = [&](const Feature& f) {
     return (selection.min_fit > 0 && !(f.fit >= selection.min_fit)) ||
            (!selection.accept_border_vertices && shape.is_border(f.vertex_index));
@@ -48,7 +51,11 @@ std::vector<Feature> selected_features(const Rest_shape& shape, std::vector<Feat
     return std::tie(b.strength, a.vertex_index, a.time, a.sigma, a.tau) <
            std::tie(a.strength, b.vertex_index, b.time, b.sigma, b.tau);
   });
-  if (selection.suppress_non_maxima) minima = suppress_non_maxima(shape, minima, between);
+  if (selection.suppress_non_maxima) {
+    minima = suppress_non_maxima(shape, minima, between);
+    const double least = selection.least_strength(strongest);
+    if (least > 0) minima = Overlap_suppression<Feature>(shape, minima, between).kept(least);
+  }
   if (minima.size() > selection.most_features) minima.resize(selection.most_features);
   mark_places(shape, minima, between);
   return minima;
