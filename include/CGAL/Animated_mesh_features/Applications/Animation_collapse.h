@@ -193,8 +193,8 @@ public:
   /*!
   moves the vertices that are left, but for fixed ones and those at borders, to where both surfaces are nearest to each
   other around them, in the mean over samples of both, in all poses together: for distances \f$e\f$ with the mean
-  \f$s\f$ in a pose the sum of \f$e - s\,\log(1 + e/s)\f$ becomes less, until a step would turn a triangle over.
-  Collapses may go on from there.
+  \f$s/2\f$ in a pose the sum of \f$e - s\,\log(1 + e/s)\f$ becomes less. No step turns a triangle over; collapses may
+  go on from there.
 
   \param mesh that of the constructor, as it is now; its points at rest are changed.
   \param rest, guidance those of the constructor.
