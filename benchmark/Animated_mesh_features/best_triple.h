@@ -37,14 +37,6 @@ inline double best_triple(const CGAL::Animated_mesh_features::View_scores& score
   return best;
 }
 
-// what all directions show together
-inline double shown_by_all(const CGAL::Animated_mesh_features::View_scores& scores)
-{
-  std::vector<std::size_t> all;
-  for (std::size_t d = 0; d < scores.directions().size(); ++d) all.push_back(d);
-  return scores.covered(all);
-}
-
 } // namespace Benchmark
 
 #endif // CGAL_ANIMATED_MESH_FEATURES_BENCHMARK_BEST_TRIPLE_H

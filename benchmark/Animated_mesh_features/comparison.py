@@ -115,9 +115,10 @@ def shape_distributions(paths, rates):
     return result
 
 
-def descriptor_distances(compare, data, twin):
-    """Distances of the descriptors of the horse and a twin; whether they are at the same place and time; and whether their
-    scales are the same, within a factor of 1.5. All `150 x 150`."""
+def descriptor_distances(compare, data, twin, descriptor="rotation-free", most=150):
+    """Distances of the descriptors of the horse and a twin, of their strongest features; whether they are at the same place
+    and time, in either of the two cycles; whether in the same one; and whether their scales are the same, within a factor
+    of 1.5. All `most x most`, or as many as there are."""
     kept = data / (twin + "_kept_ids.txt")
     vertices, rest = (np.loadtxt(kept, dtype=int), twin.replace("gallop", "rest") + ".obj") if kept.exists() else (
         np.arange(8431), "horse-rest.obj")
@@ -125,30 +126,35 @@ def descriptor_distances(compare, data, twin):
     d = {}
     for name, rest_file in (("horse-gallop", "horse-rest.obj"), (twin, rest)):
         found = compare("describe", data / (name + ".pc2"), "--rest", data / rest_file, "--rescale-rest", *FEW,
-                        *(["--fps", "15"] if name.endswith("half") else []))
-        d[name] = found["features"][:150]
+                        *(["--fps", "15"] if name.endswith("half") else []), "--descriptor", descriptor)
+        d[name] = found["features"][:most]
     a, b = d["horse-gallop"], d[twin]
     x, y = (np.array([f["descriptor"] for f in s]) for s in (a, b))
     distance = np.linalg.norm(x[:, None] - y[None], axis=2)
     in_space = np.linalg.norm(place[[f["vertex"] for f in a]][:, None] - place[vertices[[f["vertex"] for f in b]]][None],
                               axis=2)
     late = np.abs(np.array([f["time"] for f in a])[:, None] - np.array([f["time"] for f in b])[None]) * 30
-    late = np.minimum(late, np.abs(late - 24))  # the cycle is played twice
+    in_cycle, late = late, np.minimum(late, np.abs(late - 24))  # the cycle is played twice, exactly
     ratios = [np.abs(np.log(np.array([f[s] for f in a])[:, None] / np.array([f[s] for f in b])[None]))
               for s in ("sigma", "tau")]
-    return distance, (in_space <= 0.05 * p) & (late <= 1.5 + 1e-9), np.maximum(*ratios) <= np.log(1.5)
+    near = in_space <= 0.05 * p
+    return distance, near & (late <= 1.5 + 1e-9), near & (in_cycle <= 1.5 + 1e-9), np.maximum(*ratios) <= np.log(1.5)
 
 
 def descriptor_rows(compare, data, twin):
-    """Mutual nearest neighbours of the descriptors of the horse and a twin."""
-    distance, same, of_one_scale = descriptor_distances(compare, data, twin)
-    for which, allowed in (("", same | True), (" of like scales", of_one_scale)):
-        d = np.where(allowed, distance, np.inf)
-        first, second = d.argmin(1), d.argmin(0)
-        mutual = [i for i in range(len(d)) if second[first[i]] == i and np.isfinite(d[i, first[i]])]
-        yield (f"descriptor, {twin}: true among mutual nearest{which}", float(np.mean([same[i, first[i]] for i in mutual])),
-               same[allowed].mean(),
-               f"{len(mutual)} pairs; area below the ROC {auc(d[allowed & same], d[allowed & ~same]):.3f}")
+    """Mutual nearest neighbours of the descriptors of the horse and a twin. `possible`: of how many of these features of the
+    horse the twin has the event at all; at half the rate it does not have those of less than two frames."""
+    for descriptor, most in (("rotation-free", 150), ("rotation-free", 1000), ("oriented", 150), ("oriented", 1000)):
+        distance, same, in_cycle, of_one_scale = descriptor_distances(compare, data, twin, descriptor, most)
+        for which, allowed in (("", same | True), (", like scales", of_one_scale)):
+            d = np.where(allowed, distance, np.inf)
+            first, second = d.argmin(1), d.argmin(0)
+            mutual = [i for i in range(len(d)) if second[first[i]] == i and np.isfinite(d[i, first[i]])]
+            of = lambda pairs: float(np.mean([pairs[i, first[i]] for i in mutual]))
+            possible = np.mean((same & allowed)[mutual].any(1))
+            yield (f"{descriptor}, {twin}, {'150' if most == 150 else 'all'}{which}: true", of(same), same[allowed].mean(),
+                   f"{len(mutual)} mutual nearest; possible {possible:.3f}; in the same cycle {of(in_cycle):.3f}; area "
+                   f"below the ROC {auc(d[allowed & same], d[allowed & ~same]):.3f}")
 
 
 def descriptors(compare, data, _):
@@ -313,6 +319,18 @@ def retrieval_actions(compare, data, work):
     folder, listed = data / "actions", work / "actions.txt"
     listed.write_text("".join(f'"{folder}/{c}.obj" "{folder}/{c}__{a}.pc2" --fps {fps} --rest "{folder}/{c}.obj"\n'
                               for c, a, fps in clips))
+    # those that are played again and again, as loops
+    loops = work / "loops.txt"
+    loops.write_text("".join(line + (" --cyclic" if meta[c]["actions"][a]["cycles"] else "") + "\n"
+                             for line, (c, a, _) in zip(listed.read_text().splitlines(), clips)))
+    for which, collection in (("as loops", loops), ("as they end", listed)):
+        found = compare("matrix", collection)
+        kept = [i for i, (c, a, _) in enumerate(clips) if meta[c]["actions"][a]["cycles"]]
+        distances = np.array(found["distances"])
+        names = [found["animations"][i]["name"].split("__") for i in range(len(distances))]
+        for of, some in (("", range(len(distances))), (" of those that are loops", kept)):
+            nearest, precision = retrieval(distances[np.ix_(some, some)], *zip(*(names[i] for i in some)))
+            yield f"actions, {which}{of}: nearest neighbour", nearest, None, f"mean average precision {precision:.3f}"
     yield from retrieval_rows(compare, "actions", [listed], lambda name: name.split("__"),
                               [folder / f"{c}__{a}.pc2" for c, a, _ in clips], [fps for _, _, fps in clips])
 

@@ -83,7 +83,7 @@ def main():
     compare = Comparer(str(pathlib.Path(arguments.program).resolve()), arguments.work.resolve())
     curves = []
     for twin in TWINS:
-        distance, at_once, of_scale = descriptor_distances(compare, arguments.data, twin)
+        distance, at_once, _, of_scale = descriptor_distances(compare, arguments.data, twin)
         same, different = distance[at_once & of_scale], distance[~at_once]
         curves.append((twin, same, distance[at_once], different))
         print("%-24s area %.3f: %d true pairs of the same scales, %d different ones; %.3f: %d of any scale" % (

@@ -133,7 +133,7 @@ void add_shown(const Workload& w, Table& shown, Table& plain_table, Table& tripl
         Amf::score_views(*sequence, frames, chosen.scores.directions(),
                          Amf::Feature_view_score(shape, frames, n, step, features, full_cosine));
     const std::vector<Amf::Covering_view> views = Amf::covering_views(some, 3);
-    const double covered = views.back().covered, all = shown_by_all(some);
+    const double covered = views.back().covered, all = some.covered_by_all();
     double of_frames = 0; // from where each frame shows most
     for (std::size_t k = 0; k < frames.size(); ++k) {
       double most = 0;

@@ -12,7 +12,7 @@ import numpy as np
 
 from . import _core
 from ._detection import Detection
-from ._exceptions import InputError, tell
+from ._exceptions import InputError
 from ._files import FeatureFile
 from ._options import arguments, takes
 from .evaluation import _features
@@ -25,9 +25,11 @@ def _known_features(found, features, *kinds):
     array = _features(found if features is None else features)
     if not ((array["sigma"] > 0) & (array["tau"] > 0)).all():
         raise InputError("features: sigma and tau must be positive")
-    if found.parameters.get("cyclic"):
-        tell("the animation is cyclic; it is compared as one that ends, from the first frame to the last")
     return array
+
+
+def _is_cyclic(found):
+    return bool(found.parameters.get("cyclic"))
 
 
 @takes("running")
@@ -57,7 +59,8 @@ def descriptors(found, features=None, *, descriptor="rotation-free", visitor, **
     {errors}
     """
     chosen = _known_features(found, features, Detection)
-    return _core.descriptors(found._data, chosen, arguments(descriptor=descriptor, **options), visitor)
+    return _core.descriptors(found._data, chosen, arguments(descriptor=descriptor, cyclic=_is_cyclic(found), **options),
+                             visitor)
 
 
 class Signature:
@@ -107,6 +110,12 @@ class Signature:
         return self._data.rate
 
     @property
+    def is_cyclic(self) -> bool:
+        """whether it is a loop, whose last frame is followed by the first: compared as such, from whatever frame it
+        begins."""
+        return self._data.is_cyclic
+
+    @property
     def period(self) -> float:
         """after which the motion repeats itself (s); 0 if it does not."""
         return self._data.period
@@ -124,7 +133,7 @@ class Signature:
 
 @takes("running")
 def signature(found, features=None, *, rate=30.0, descriptor="rotation-free", visitor, **options) -> Signature:
-    """Makes the signature of an animation. All that compares takes what was found as well, and makes it itself; make it
+    """Makes the signature of an animation, of a loop if it was detected as one (`cyclic`). All that compares takes what was found as well, and makes it itself; make it
     once to compare an animation several times, or with other options.
 
     O(M N log N) time for M features.
@@ -147,7 +156,7 @@ def signature(found, features=None, *, rate=30.0, descriptor="rotation-free", vi
     {errors}
     """
     chosen = _known_features(found, features, Detection, FeatureFile)
-    given = arguments(rate=rate, descriptor=descriptor, **options)
+    given = arguments(rate=rate, descriptor=descriptor, cyclic=_is_cyclic(found), **options)
     if not isinstance(found, FeatureFile):
         return Signature(_core.signature(found._data, chosen, given, visitor))
     a = found.animation
@@ -163,7 +172,7 @@ def _signatures(*found, **running):
 
 
 @takes("running")
-def match_features(a, b, *, matched=150, ratio=1.0, mutual=False, **running) -> np.ndarray:
+def match_features(a, b, alignment=None, *, matched=150, ratio=1.0, mutual=False, **running) -> np.ndarray:
     """Pairs features of two animations that show the same event, by what the deformation around them is like, where on
     the body they are, and whether the pairs agree in distances and times (Leordeanu, Hebert 2005). No correspondence
     between the meshes is needed.
@@ -171,6 +180,9 @@ def match_features(a, b, *, matched=150, ratio=1.0, mutual=False, **running) -> 
     Parameters
     ----------
     a, b : Signature, Detection or FeatureFile
+    alignment : Alignment, optional
+        of their times, see `align()`: features of motions that both repeat themselves are matched in the cycle in which
+        the alignment has them. By default matches agree with each other alone, and may be a cycle late.
     matched : int
         how many of the strongest features of each are matched.
     ratio : float
@@ -190,7 +202,8 @@ def match_features(a, b, *, matched=150, ratio=1.0, mutual=False, **running) -> 
     {errors}
     """
     a, b = _signatures(a, b, **running)
-    return _core.match_features(a, b, arguments(matched=matched, ratio=ratio, mutual=mutual), running["visitor"])
+    return _core.match_features(a, b, None if alignment is None else alignment._data,
+                                arguments(matched=matched, ratio=ratio, mutual=mutual), running["visitor"])
 
 
 class Alignment:
@@ -207,7 +220,8 @@ class Alignment:
 
     @property
     def times_a(self) -> np.ndarray:
-        """S samples of the map of time (s), strictly ascending; linear between them."""
+        """S samples of the map of time (s), strictly ascending; linear between them. Those of a loop go on past its
+        end."""
         return self._data.times_a
 
     @property
@@ -217,7 +231,7 @@ class Alignment:
 
     def to_b(self, times):
         """the times of the second animation that belong to those of the first (s), of whatever shape; outside of the
-        samples the clocks run alike."""
+        samples the clocks run alike. Those of a loop are from 0 to before its period."""
         return self._data.to_b(times)
 
     def to_a(self, times):
@@ -235,9 +249,14 @@ class Alignment:
         return self._data.confidence
 
     @property
+    def loops(self) -> Tuple[float, float]:
+        """how long each of the two is (s) if it is a loop; 0 if it ends."""
+        return self._data.loops
+
+    @property
     def phase(self):
-        """of two motions that repeat themselves: how much of a period the second one is ahead, from -0.5 to 0.5; else
-        None."""
+        """of two motions that repeat themselves: how much of a period, of two loops of a loop, the second one is ahead,
+        from -0.5 to 0.5; else None."""
         return self._data.phase
 
     @property
@@ -273,7 +292,7 @@ def align(a, b, *, place_weight=3.0, recurrence_weight=0.0, max_slope=3, end_wei
     """Finds the map of time by which the deformation of two animations is most alike (dynamic time warping; Sakoe,
     Chiba 1978), whatever their meshes and frame rates.
 
-    9 max_slope T^2 steps for T samples.
+    9 max_slope T^2 steps for T samples; for loops, which are aligned from all frames, up to 150 times as many.
 
     Parameters
     ----------

@@ -21,6 +21,7 @@
 #include <CGAL/Animated_mesh_features/Applications/animation_distance.h>
 #include <CGAL/Animated_mesh_features/Applications/classical_scaling.h>
 #include <CGAL/Animated_mesh_features/Applications/event_differences.h>
+#include <CGAL/Animated_mesh_features/Applications/match_aligned_features.h>
 #include <CGAL/Animated_mesh_features/Descriptors/Gradient_histograms.h>
 #include <CGAL/Animated_mesh_features/Descriptors/describe_features.h>
 #include <CGAL/Animated_mesh_features/Descriptors/match_features.h>
@@ -131,7 +132,8 @@ py::array_t<float> descriptors(const Detection_data& detection, const Feature_ar
     const Programs::Thread_limit limit(o.run.threads);
     return with_descriptor(o.comparison, [&](const auto& descriptor) {
       return AMF::describe_features(detection.shape().shape(), deformation_of(detection), detection.frame_duration(),
-                                    points, descriptor, Told_loop(monitor, "descriptors"));
+                                    points, descriptor, Told_loop(monitor, "descriptors"),
+                                    o.comparison.activity.is_cyclic);
     });
   }));
 }
@@ -183,13 +185,17 @@ py::array_t<std::int64_t> array_of_ranks(const std::vector<std::size_t>& ranks)
   return result;
 }
 
-py::array_t<Match_record> match(const Signature& a, const Signature& b, const Arguments& arguments, py::object visitor)
+py::array_t<Match_record> match(const Signature& a, const Signature& b, const Alignment* alignment,
+                                const Arguments& arguments, py::object visitor)
 {
   std::vector<AMF::Feature_match> matches;
   Python_monitor monitor(std::move(visitor));
   monitor.run([&] {
     const Options o = options_of(arguments, COMPARISON);
-    run_stage(monitor, "matching", [&] { matches = AMF::match_features(a.events, b.events, o.comparison.matching); });
+    run_stage(monitor, "matching", [&] {
+      matches = alignment == nullptr ? AMF::match_features(a.events, b.events, o.comparison.matching)
+                                     : AMF::match_aligned_features(a, b, alignment->times, o.comparison.matching);
+    });
   });
   return array_of_matches(matches);
 }
@@ -202,7 +208,7 @@ std::shared_ptr<Alignment> align(const Signature& a, const Signature& b, const A
     const Options o = options_of(arguments, COMPARISON);
     run_stage(monitor, "alignment", [&] {
       result->times = AMF::align_animations(a.activity, b.activity, o.comparison.alignment);
-      result->events = AMF::align_events(a.events, b.events);
+      result->events = AMF::align_events(a.events, b.events, result->times);
     });
   });
   return result;
@@ -277,6 +283,7 @@ void bind_comparison(py::module_& m)
                              [](const Signature& s) { return array_of_descriptors(s.events.descriptors); })
       .def_property_readonly("activity", [](const Signature& s) { return array_of_elements(s.activity.mean); })
       .def_property_readonly("rate", [](const Signature& s) { return 1 / s.activity.sample_duration; })
+      .def_property_readonly("is_cyclic", [](const Signature& s) { return s.activity.is_cyclic; })
       .def_property_readonly("period", [](const Signature& s) { return s.activity.cycle.period; })
       .def_property_readonly("cycle_strength", [](const Signature& s) { return s.activity.cycle.strength; })
       .def_property_readonly("pose_variation", [](const Signature& s) { return s.activity.pose_variation; });
@@ -285,6 +292,8 @@ void bind_comparison(py::module_& m)
       .def_property_readonly("times_b", [](const Alignment& a) { return array_of_elements(a.times.times_b); })
       .def_property_readonly("cost", [](const Alignment& a) { return a.times.cost; })
       .def_property_readonly("confidence", [](const Alignment& a) { return a.times.confidence; })
+      .def_property_readonly("loops",
+                             [](const Alignment& a) { return std::make_pair(a.times.period_a, a.times.period_b); })
       .def_property_readonly("phase", [](const Alignment& a) { return a.times.phase; })
       .def_property_readonly("pairs", [](const Alignment& a) { return array_of_matches(a.events.pairs); })
       .def_property_readonly("only_a", [](const Alignment& a) { return array_of_ranks(a.events.only_a); })

@@ -71,6 +71,44 @@ check "npy_shape('described.npy') == (len(described['features']), 100) and descr
 expect 0 "" describe set/a.pc2 --descriptor oriented -o oriented.json
 check "oriented['length'] == 192" oriented
 
+# what is kept is found again, unless a file or an option is another one
+mkdir kept changed && cp set/a.obj set/a.pc2 changed
+kept() { ls kept | wc -l; }
+for number in 1 1; do
+  expect 0 "" describe changed/a.pc2 --cache kept -q
+  [[ $(kept) -eq $number ]] || fail "$(kept) signatures, not $number"
+done
+expect 0 "" describe changed/a.pc2 --cache kept -q --threshold 0.2
+[[ $(kept) -eq 2 ]] || fail "another threshold, the same signature"
+expect 0 "" describe changed/a.pc2 --cache kept -q --cyclic
+[[ $(kept) -eq 3 ]] || fail "a loop, the same signature"
+python3 - <<'PYTHON'
+data = bytearray(open("changed/a.pc2", "rb").read())
+data[-2] ^= 1
+open("changed/a.pc2", "wb").write(data)
+PYTHON
+expect 0 "" describe changed/a.pc2 --cache kept -q
+[[ $(kept) -eq 4 ]] || fail "another file, the same signature"
+
+# the same as a loop, from its 8th frame on: the same events, features and distance 0
+python3 - <<'PYTHON'
+import struct
+data = open("set/a.pc2", "rb").read()
+n, frames = struct.unpack("<I", data[16:20])[0], struct.unpack("<I", data[28:32])[0]
+first = 32 + 7 * 12 * n
+open("set/rotated.pc2", "wb").write(data[:32] + data[first:] + data[32:first])
+PYTHON
+expect 0 "" set/a.obj,set/a.pc2 set/a.obj,set/rotated.pc2 --cyclic -o loops.json --cache .
+check "loops['distance'] < 1e-5 and loops['alignment']['cost'] < 1e-5 and len(loops['matches']) == loops['a']['features'] > 5
+       and abs(loops['alignment']['phase'] - 7 / loops['a']['frames']) < 1e-4 and loops['alignment']['confidence'] > 0.5
+       and max(abs((m['time_a'] - m['time_b']) * 30 % loops['a']['frames'] - 7) for m in loops['matches']) < 1e-3
+       and len(loops['events']['only_a']) == 0 and max(d['difference'] for d in loops['differences']) < 1e-4" loops
+printf '%s\n' 'set/a.obj set/a.pc2 --cyclic' 'set/a.obj set/rotated.pc2 --cyclic' >loops.txt
+expect 0 "" matrix loops.txt --cache . -o listed.json
+check "listed['distances'][0][1] == loops['distance'] and all(x['cyclic'] for x in listed['animations'])" listed loops
+expect 0 "" set/a.obj,set/a.pc2 set/a.obj,set/rotated.pc2 -o ends.json --cache . # not told: another signature, another motion
+check "ends['distance'] > 0.05 and not ends['a']['cyclic'] and ends['alignment']['loops'] == [0, 0]" ends
+
 # a take without its strongest event, and one more time
 python3 - <<'PYTHON'
 import json
@@ -154,7 +192,9 @@ check "millimetres_found['distance'] < 1e-6 and len(millimetres_found['matches']
   millimetres_found
 expect 3 "mixed_units.json: features are" a.json mixed_units.json
 expect 3 "milliseconds.json: the animation lasts" a.json milliseconds.json
-expect 0 "cyclic.json: the animation is cyclic" a.json cyclic.json
+expect 0 "" cyclic.json cyclic.json -o cyclic_found.json # a loop, as the file says, from one frame to the same again
+check "cyclic_found['a']['cyclic'] and cyclic_found['distance'] == 0 and cyclic_found['alignment']['phase'] == 0
+       and cyclic_found['alignment']['loops'] == [cyclic_found['a']['frames'] / 30] * 2" cyclic_found
 expect 0 "one rate was told wrongly" a.json twice_as_fast.json
 expect 0 "of which more is known" set/a.pc2 a.json --cache .
 head -c 700 a.json >torn.json

@@ -17,6 +17,7 @@
 #include <CGAL/Animated_mesh_features/Applications/animation_distance.h>
 #include <CGAL/Animated_mesh_features/Applications/classical_scaling.h>
 #include <CGAL/Animated_mesh_features/Applications/event_differences.h>
+#include <CGAL/Animated_mesh_features/Applications/match_aligned_features.h>
 #include <CGAL/Animated_mesh_features/Descriptors/describe_features.h>
 #include <CGAL/Animated_mesh_features/Descriptors/match_features.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
@@ -110,30 +111,31 @@ void test_neighbourhood()
   Feature f = feature_at(centre, 2.03, 0.1, 0.4);
   Amf::Neighbourhood_sampler<double> sampler(shape, field, duration);
   const Amf::Feature_neighbourhood n = sampler(f);
-  std::size_t inside = 0;
-  for (const Vec& p : square.points) inside += (p - square.points[centre]).norm() <= 3 * f.sigma ? 1 : 0;
-  CHECK(n.vertices.size() == inside);
+  CHECK(n.places.size() == 127); // a whole disc
   CHECK(n.times.size() == 25 && n.times.front() == -3 && n.times.back() == 3);
-  std::size_t i = 0;
-  for (const auto& v : n.vertices) {
-    CHECK(std::hypot(v.x, v.y) <= 3);
+  double area = 0;
+  for (std::size_t i = 0; i < n.places.size(); ++i) {
+    const auto& v = n.places[i];
+    CHECK(std::hypot(v.x, v.y) <= 3 + 1e-12);
+    area += v.area;
     const auto& g = n.gradients[i * n.times.size() + 5];
     CHECK_NEAR(std::hypot(g[0], g[1]), slope.norm() * f.sigma, 1e-5);
     // the value at the place that the map tells: linear, so that value - value at the centre is the gradient's product
     CHECK_NEAR(n.values[i * n.times.size() + 12] - n.values[12], g[0] * v.x + g[1] * v.y, 1e-5);
     CHECK_NEAR(g[2], rate * f.tau, 1e-5);
-    ++i;
   }
-  // counterclockwise from outside: two known vertices
-  const Vec a = square.points[centre + 1] - square.points[centre],
-            b = square.points[centre + 17] - square.points[centre];
-  double x[2] = {0, 0}, y[2] = {0, 0};
-  for (const auto& v : n.vertices) {
-    const double r = std::hypot(v.x, v.y) * f.sigma;
-    if (std::abs(r - a.norm()) < 1e-9) x[0] = v.x, y[0] = v.y;
-    if (std::abs(r - b.norm()) < 1e-9) x[1] = v.x, y[1] = v.y;
-  }
-  CHECK_NEAR(x[0] * y[1] - y[0] * x[1], (a[0] * b[1] - a[1] * b[0]) / (f.sigma * f.sigma), 1e-6);
+  const double disc = 3.14159265358979323846 * 3.25 * 3.25; // rings reach half a step farther, vertices a whole one
+  CHECK(area > 0.75 * disc && area < disc);
+  // counterclockwise from outside: a gradient, and the one a quarter turn from it
+  const Field quarter =
+      field_of(square.points, 41, duration, [&](const Vec& p, double) { return slope[0] * p[1] - slope[1] * p[0]; });
+  Amf::Neighbourhood_sampler<double> quarter_sampler(shape, quarter, duration);
+  const auto g = n.gradients[0], h = quarter_sampler(f).gradients[0];
+  CHECK_NEAR(g[0] * h[1] - g[1] * h[0], slope.squaredNorm() * f.sigma * f.sigma, 1e-6);
+  // at the end of a surface there are fewer
+  const std::size_t border =
+      sampler(feature_at(nearest_vertex(square.points, Vec(0, 0.5, 0)), 1, 0.1, 0.4)).places.size();
+  CHECK(border > 64 && border < 127);
   CHECK_THROWS(Amf::Input_error, sampler(feature_at(square.points.size(), 1, 0.1, 0.1)), "vertices");
   CHECK_THROWS(Amf::Input_error, sampler(feature_at(centre, 1, 0, 0.1)), "must be positive");
   CHECK_THROWS(Amf::Option_error, Amf::Neighbourhood_sampler<double>(shape, Field(3, 5), 1), "the field is 3 x 5");
@@ -219,6 +221,22 @@ void test_descriptors()
   placed.triangle = {{centre + 1, centre, centre}};
   placed.barycentric_coordinates = {{0, 1, 0}};
   CHECK_NEAR(difference(free, described(shape, field, duration, placed, Rotation_free())), 0, 0.02);
+  // a loop, in the middle of the event and from it on
+  const std::size_t frames = 36;
+  const auto around = [&](const Vec& p, double t) { return event(p, t + 1 - frames * duration) + event(p, t + 1); };
+  const Field loop = field_of(square.points, frames, duration, event),
+              late = field_of(square.points, frames, duration, around);
+  const auto of_loop = [&](const Field& values, double time, bool is_cyclic) {
+    const Amf::Feature_descriptors d = Amf::describe_features(
+        shape, values, duration, {feature_at(centre, time, 0.12, 0.25)}, Rotation_free(),
+        [](std::size_t count, const auto& task) {
+          for (std::size_t i = 0; i < count; ++i) task(i);
+        },
+        is_cyclic);
+    return std::vector<float>(d[0], d[0] + d.length());
+  };
+  CHECK(difference(of_loop(loop, 1, true), of_loop(late, 0, true)) < 0.02);
+  CHECK(difference(of_loop(loop, 1, false), of_loop(late, 0, false)) > 0.1);
   // nothing happens: nothing to describe
   CHECK(length_of(described(shape, Field(square.points.size(), 45), duration, f, Oriented())) == 0);
 }
@@ -364,8 +382,8 @@ Amf::Activity motion(std::size_t frames, double duration, const Clock& clock, in
   return Amf::animation_activity(field, areas, eccentricities, duration);
 }
 
-// The least sum over all ways, by trying all last steps.
-double plain_warping(const std::vector<std::vector<double>>& c, std::size_t slope)
+// The least sum over all ways, by trying all last steps; from the first to the last pair, if ends are fixed.
+double plain_warping(const std::vector<std::vector<double>>& c, std::size_t slope, bool has_fixed_ends = false)
 {
   const std::size_t n = c.size(), m = c[0].size();
   std::vector<std::vector<double>> best(n, std::vector<double>(m, std::numeric_limits<double>::infinity()));
@@ -373,8 +391,8 @@ double plain_warping(const std::vector<std::vector<double>>& c, std::size_t slop
     for (std::size_t j = 0; j < m; ++j) {
       double& b = best[i][j];
       if (i == 0 && j == 0) b = 2 * c[0][0];
-      if (i == 0 && j > 0) b = best[0][j - 1] + c[0][j];
-      if (j == 0 && i > 0) b = best[i - 1][0] + c[i][0];
+      if (i == 0 && j > 0 && !has_fixed_ends) b = best[0][j - 1] + c[0][j];
+      if (j == 0 && i > 0 && !has_fixed_ends) b = best[i - 1][0] + c[i][0];
       for (std::size_t q = 1; q <= slope; ++q) {
         if (i >= 1 && j >= q) {
           double sum = best[i - 1][j - q] + c[i][j - q + 1];
@@ -389,6 +407,7 @@ double plain_warping(const std::vector<std::vector<double>>& c, std::size_t slop
       }
     }
   double least = best[n - 1][m - 1], rest = 0;
+  if (has_fixed_ends) return least;
   for (std::size_t j = m - 1; j-- > 0;) least = std::min(least, best[n - 1][j] + (rest += c[n - 1][j + 1]));
   rest = 0;
   for (std::size_t i = n - 1; i-- > 0;) least = std::min(least, best[i][m - 1] + (rest += c[i + 1][m - 1]));
@@ -631,6 +650,143 @@ void test_cycles()
   CHECK(motion(109, frame, [](double t) { return t; }).cycle.period == 0);
 }
 
+// A loop of some places that deform one after the other, from its frame `first` on.
+Amf::Activity loop_of(std::size_t frames, double duration, std::size_t first, int kind = 0, bool is_cyclic = true,
+                      std::size_t plays = 1, const std::function<double(double)>& clock = {})
+{
+  const double pi = 3.14159265358979323846;
+  const std::size_t n = 12;
+  Field field(n, frames * plays + (is_cyclic ? 0 : 1));
+  std::vector<double> areas(n), eccentricities(n);
+  for (std::size_t v = 0; v < n; ++v) {
+    areas[v] = 1 + double(v % 3);
+    eccentricities[v] = 0.7 + 0.08 * double(v);
+    for (std::size_t f = 0; f < field.number_of_frames(); ++f) {
+      double x = double((f + first) % frames) / double(frames);
+      if (clock) x = clock(x);
+      const double when = kind == 0 ? double((7 * v) % n) / double(n) : double((5 * v + 3) % n) / 15.;
+      const double angle = 2 * pi * (x - when), sharp = kind == 0 ? 3 + double(v % 4) : 9 - double(v % 3);
+      field(v, f) =
+          (kind == 0 ? 1 + 0.5 * double(v % 4) : 3 - 0.5 * double(v % 5)) * std::exp(sharp * (std::cos(angle) - 1));
+    }
+  }
+  Amf::Activity_options options;
+  options.is_cyclic = is_cyclic;
+  return Amf::animation_activity(field, areas, eccentricities, duration, options);
+}
+
+void test_loops()
+{
+  const double frame = 1. / 30, pi = 3.14159265358979323846;
+  const Amf::Activity a = loop_of(48, frame, 0), other = loop_of(40, frame, 0, 1);
+  CHECK(a.is_cyclic && a.samples == 48);
+  CHECK_NEAR(a.duration(), 1.6, 1e-12);
+  CHECK_NEAR(a.cycle.period, 1.6, 1e-12);
+  CHECK_NEAR(a.cycle.strength, 1, 1e-12);
+  const double different = Amf::animation_distance(a, other);
+  CHECK(different > 0.1);
+  for (std::size_t k : {1, 17, 24, 47}) { // begun with another frame
+    const Amf::Activity rotated = loop_of(48, frame, k);
+    CHECK_NEAR(Amf::animation_distance(a, rotated), 0, 1e-6);
+    CHECK_NEAR(Amf::animation_distance(rotated, other), different, 0.01 * different);
+    CHECK(Amf::animation_distance(rotated, other) == Amf::animation_distance(other, rotated));
+    const Amf::Time_alignment alignment = Amf::align_animations(a, rotated);
+    CHECK_NEAR(alignment.cost, 0, 1e-6);
+    CHECK(alignment.confidence > 0.5);
+    CHECK(bool(alignment.phase));
+    if (alignment.phase) CHECK_NEAR(std::remainder(*alignment.phase - double(k) / 48, 1), 0, 1e-6);
+    CHECK_NEAR(alignment.times_a.back() - alignment.times_a.front(), 1.6, 1e-9);
+    CHECK_NEAR(alignment.times_b.back() - alignment.times_b.front(), 1.6, 1e-9);
+    for (double t : {0., 0.5, 1.59, 3.3, -2.}) {
+      CHECK(alignment.to_b(t) >= 0 && alignment.to_b(t) < 1.6);
+      CHECK_NEAR(std::remainder(alignment.to_b(t) - (t - double(k) * frame), 1.6), 0, 1e-5);
+      CHECK_NEAR(std::remainder(alignment.to_a(alignment.to_b(t)) - t, 1.6), 0, 1e-5);
+      CHECK_NEAR(alignment.lateness(t, t + 0.1 - double(k) * frame), 0.1, 1e-5);
+    }
+  }
+  // without being told it is another motion
+  CHECK(Amf::animation_distance(loop_of(48, frame, 0, 0, false), loop_of(48, frame, 17, 0, false)) > 0.3 * different);
+
+  // at other frame rates, played several times, slower, uneven
+  CHECK(Amf::animation_distance(a, loop_of(24, 2 * frame, 5)) < 0.1 * different);
+  CHECK(Amf::animation_distance(a, loop_of(96, frame / 2, 33)) < 0.1 * different);
+  for (std::size_t plays : {2, 3})
+    CHECK_NEAR(Amf::animation_distance(a, loop_of(48, frame, 31, 0, true, plays)), 0, 1e-6);
+  const auto uneven = [&](double x) { return x + 0.25 * std::sin(2 * pi * x) / (2 * pi); };
+  const Amf::Activity warped = loop_of(57, frame, 20, 0, true, 1, uneven);
+  const Amf::Time_alignment way = Amf::align_animations(warped, a);
+  for (double f = 0; f < 57; ++f) {
+    const double x = std::fmod(f + 20, 57.) / 57;
+    CHECK_NEAR(std::remainder(way.to_b(f * frame) - 1.6 * uneven(x), 1.6), 0, frame);
+  }
+  const Amf::Time_alignment back = Amf::align_animations(a, warped);
+  for (double t : {0.1, 0.6, 1.3}) CHECK_NEAR(std::remainder(back.to_b(t) - way.to_a(t), 57 * frame), 0, 0.1 * frame);
+  CHECK(std::adjacent_find(way.times_b.begin(), way.times_b.end(), std::greater_equal<double>()) == way.times_b.end());
+
+  // a take, of twice around, from the 9th frame on
+  const Amf::Activity take = loop_of(48, frame, 9, 0, false, 2);
+  CHECK(!take.is_cyclic && take.samples == 97);
+  const Amf::Time_alignment played = Amf::align_animations(take, a);
+  CHECK(played.period_a == 0 && std::abs(played.period_b - 1.6) < 1e-12);
+  for (double t : {0.2, 1., 2.}) CHECK_NEAR(std::remainder(played.to_b(t) - (t + 9 * frame), 1.6), 0, frame / 4);
+  CHECK_NEAR(std::remainder(Amf::align_animations(a, take).to_a(1) - played.to_b(1), 1.6), 0, 1e-9);
+  CHECK(Amf::animation_distance(take, loop_of(48, frame, 30)) == Amf::animation_distance(loop_of(48, frame, 30), take));
+  CHECK_NEAR(Amf::animation_distance(take, loop_of(48, frame, 30)), Amf::animation_distance(take, a), 0.02 * different);
+  CHECK(Amf::animation_distance(take, a) < 0.3 * different);
+
+  // a slope of 1 closes no way but that of loops that are as long
+  Amf::Alignment_options even;
+  even.max_slope = 1;
+  CHECK(Amf::align_animations(a, warped, even).cost == 1);
+  CHECK(Amf::align_animations(a, loop_of(48, frame, 17), even).cost < 1e-6);
+
+  // against the plain form, on the mean alone: closed ways from all pairs with the first sample of either
+  Amf::Alignment_options of_mean;
+  of_mean.recurrence_weight = of_mean.recurrence_without_places = of_mean.place_weight = of_mean.bend_weight = 0;
+  of_mean.surrogates = 0;
+  const std::vector<float>&x = warped.mean, &y = other.mean;
+  const auto between = [](float value, const std::vector<float>& of, std::size_t k) { // where the other one is linear
+    const std::size_t n = of.size();
+    const double here = of[k], before = (here + of[(k + n - 1) % n]) / 2, after = (here + of[(k + 1) % n]) / 2;
+    return std::max({std::min({here, before, after}) - value, value - std::max({here, before, after}), 0.});
+  };
+  const auto closed = [&](std::size_t first_a, std::size_t first_b) {
+    std::vector<std::vector<double>> costs(x.size() + 1, std::vector<double>(y.size() + 1));
+    for (std::size_t i = 0; i <= x.size(); ++i)
+      for (std::size_t j = 0; j <= y.size(); ++j) {
+        const std::size_t k = (first_a + i) % x.size(), l = (first_b + j) % y.size();
+        costs[i][j] = std::min(between(x[k], y, l), between(y[l], x, k));
+      }
+    return plain_warping(costs, of_mean.max_slope, true) - 2 * costs[0][0];
+  };
+  double least = closed(0, 0), norm = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) least = std::min(least, closed(i, 0));
+  for (std::size_t j = 0; j < y.size(); ++j) least = std::min(least, closed(0, j));
+  for (float value : x) norm += double(value);
+  for (float value : y) norm += double(value);
+  CHECK(least > 0);
+  CHECK_NEAR(Amf::align_animations(warped, other, of_mean).cost, least / norm, 1e-6);
+
+  // half of it is nearly as the other half: one cycle, as long as it is played without end; twice the same: two
+  for (double odd : {0.4, 0.}) {
+    Field halves(1, 40);
+    for (std::size_t f = 0; f < 40; ++f)
+      halves(0, f) = 2 + std::cos(4 * pi * double(f) / 40) + odd * std::cos(2 * pi * double(f) / 40);
+    Amf::Activity_options around;
+    around.is_cyclic = true;
+    const Amf::Activity loop = Amf::animation_activity(halves, {1.}, {}, frame, around);
+    CHECK_NEAR(loop.cycle.period, (odd > 0 ? 40 : 20) * frame, 1e-9);
+    CHECK_NEAR(loop.cycle.strength, 1, 1e-6);
+  }
+
+  // of features, whose Gaussians go around
+  const Amf::Feature_point event = feature_at(0, 0.1, 1, 0.2);
+  Amf::Activity_options cyclic;
+  cyclic.is_cyclic = true;
+  const Amf::Activity of_event = Amf::activity_of_features({event}, 30, frame, cyclic);
+  for (std::size_t k : {1, 7, 14}) CHECK_NEAR(of_event.mean[3 + k], of_event.mean[(33 - k) % 30], 1e-5);
+}
+
 // ----------------------------------------------------------------------------------------------------------- events
 
 void test_events()
@@ -680,6 +836,66 @@ void test_events()
   CHECK_NEAR(differences[2].amplitude, 0, 1e-12);
 }
 
+// Events that go around, seen from two beginnings.
+void test_events_of_loops()
+{
+  Random random(7);
+  const double loop = 3.6, ahead = 1.5;
+  Points places;
+  std::vector<double> times, later, sigmas;
+  for (int i = 0; i < 12; ++i) {
+    places.push_back(random.vector());
+    times.push_back(0.3 * i);
+    later.push_back(std::fmod(0.3 * i - ahead + loop, loop));
+    sigmas.push_back(random.power(0.05, 0.8));
+  }
+  Amf::Animation_signature x, y;
+  x.vertices = y.vertices = 12;
+  x.diagonal = y.diagonal = 4;
+  x.frame_duration = y.frame_duration = 1. / 30;
+  x.events = body(places, times, sigmas);
+  y.events = body(places, later, sigmas);
+  CHECK(Amf::match_features(x.events, y.events).size() < 12);
+  x.events.loop = y.events.loop = loop;
+  const std::vector<Amf::Feature_match> matches = Amf::match_features(x.events, y.events);
+  CHECK(matches.size() == 12);
+  for (const Amf::Feature_match& m : matches) CHECK(m.a == m.b);
+  Amf::Time_alignment alignment;
+  alignment.times_a = {0, loop};
+  alignment.times_b = {loop - ahead, 2 * loop - ahead};
+  alignment.period_a = alignment.period_b = loop;
+  CHECK(Amf::align_events(x.events, y.events).pairs.size() < 12);
+  CHECK(Amf::align_events(x.events, y.events, alignment).pairs.size() == 12);
+  CHECK(Amf::align_events(y.events, x.events, alignment.reversed()).pairs.size() == 12);
+  const std::vector<Amf::Event_difference> differences = Amf::event_differences(x, y, alignment);
+  CHECK(differences.size() == 12 && differences[0].amplitude == 0);
+
+  // cycles of which each of the second one is like the one before of the first one: the alignment says which it is
+  const std::size_t cycles = 3, of_a_cycle = 6;
+  Points again;
+  std::vector<double> at, of_a, of_b;
+  for (std::size_t i = 0; i < cycles * of_a_cycle; ++i) {
+    again.push_back(places[i % of_a_cycle]);
+    at.push_back(double(i / of_a_cycle) + 0.13 * double(i % of_a_cycle));
+    of_a.push_back(1e-3 * std::pow(20., double(i / of_a_cycle)));
+    of_b.push_back(of_a.back() / 20);
+  }
+  Amf::Animation_signature p, q;
+  p.events = body(again, at, of_a);
+  q.events = body(again, at, of_b);
+  Amf::Time_alignment even;
+  even.times_a = even.times_b = {0, 3};
+  const auto latest = [&](const std::vector<Amf::Feature_match>& pairs) {
+    double late = 0;
+    for (const Amf::Feature_match& m : pairs) late = std::max(late, std::abs(at[m.b] - at[m.a]));
+    return late;
+  };
+  CHECK(latest(Amf::match_aligned_features(p, q, even)) > 0.9); // no cycles: the alignment says nothing
+  p.activity.cycle = q.activity.cycle = {1, 1};
+  const std::vector<Amf::Feature_match> in_cycle = Amf::match_aligned_features(p, q, even);
+  CHECK(in_cycle.size() >= 12 && latest(in_cycle) < 0.1);
+}
+
 void test_scaling()
 {
   Random random(6);
@@ -707,7 +923,9 @@ int main()
   test_distance();
   test_pose_variation();
   test_cycles();
+  test_loops();
   test_events();
+  test_events_of_loops();
   test_scaling();
   return test_result();
 }

@@ -289,7 +289,7 @@ struct Archetype_descriptor : Copy_only
   void operator()(const AMF::Feature_neighbourhood& n, float* out) const
   {
     out[0] = n.values.front();
-    out[1] = float(n.vertices.size());
+    out[1] = float(n.places.size());
   }
 };
 

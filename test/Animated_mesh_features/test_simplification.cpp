@@ -307,10 +307,125 @@ void test_refinement()
   }
 }
 
+// A level of four corners over a sheet, of which another small one lies far above: its height is where the pulls e / (e + s)
+// of both are in balance, with s twice the mean distance, well below that of the least squares.
+void test_pulls()
+{
+  const double above = .5;
+  Shape s = sheet(12), small = sheet(6);
+  for (Vec& p : small.points) p = Vec(.4 * p[0], .4 * p[1], above);
+  s.add(small, Vec(0, 0, 0));
+  const Amf::Rest_shape rest = rest_shape_of(s);
+  const std::array<Amf::Rest_shape::Index, 4> corners = {{0, 12, 168, 156}};
+  std::vector<Amf::Rest_shape::Index> survivors;
+  for (const Vec& p : s.points) {
+    const auto nearer = [&](auto c, auto d) { return (s.points[c] - p).norm() < (s.points[d] - p).norm(); };
+    survivors.push_back(*std::min_element(corners.begin(), corners.end(), nearer));
+  }
+  const Amf::internal::Place_refinement level(
+      rest, {{{corners[0], corners[1], corners[2]}}, {{corners[0], corners[2], corners[3]}}}, survivors);
+  Amf::internal::Pose_positions original(s.points.size(), 1), current(s.points.size(), 1);
+  for (std::size_t v = 0; v < s.points.size(); ++v)
+    for (int axis = 0; axis < 3; ++axis) original.row(v, axis)[0] = current.row(v, axis)[0] = float(s.points[v][axis]);
+  double height = .1;
+  for (int step = 0; step < 60; ++step) {
+    for (std::size_t c : corners) current.row(c, 2)[0] = float(height);
+    Amf::internal::Pose_quadrics planes(5, 1);
+    level.add_planes(
+        original, current, 0, [](std::size_t) { return 1.; }, planes);
+    double square = 0, linear = 0; // of all corners, which move together
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Amf::internal::Quadric q = planes.sum(k, 4, 0);
+      square += q[5];
+      linear += q[8];
+    }
+    height = -linear / square;
+  }
+  // of the sheet and the level below, each of area 4, and of the small sheet
+  const double below = 8, over = .16 * 4;
+  double low = 0, high = above;
+  for (int step = 0; step < 50; ++step) {
+    const double z = (low + high) / 2, t = above - z, far = 2 * (below * z + over * t) / (below + over);
+    (below * z / (z + far) < over * t / (t + far) ? low : high) = z;
+  }
+  CHECK_NEAR(height, low, .02 * low);
+  CHECK(low < .6 * above * over / (below + over));
+}
+
+// Places are refined on the way to a level as often as if the stages were levels.
+void test_stages()
+{
+  CHECK((Amf::internal::stages_between(1000, 500) == std::vector<std::size_t>{500}));
+  CHECK((Amf::internal::stages_between(1000, 100) == std::vector<std::size_t>{562, 316, 177, 100}));
+  CHECK((Amf::internal::stages_between(91, 91) == std::vector<std::size_t>{91}));
+  const Shape s = sphere(4);
+  const Animation a(s, walking(s.points, 5));
+  Amf::Simplification_options o = wanted({100});
+  const std::vector<std::size_t> stages = Amf::internal::stages_between(s.points.size(), 100);
+  const auto is_same = [&](const Amf::Animation_level& x, const Amf::Animation_level& y) {
+    return x.triangles == y.triangles && x.binding.positions(s.points) == y.binding.positions(s.points);
+  };
+  o.refinements = 1;
+  const auto at_once = simplified(a, o);
+  o.vertices = stages;
+  CHECK(is_same(at_once.levels[0], simplified(a, o).levels.back()));
+  o.refinements = 0; // each level begins with all edges, those that were refused, too
+  const auto plain = simplified(a, o);
+  o.vertices = {100};
+  CHECK(is_same(plain.levels.back(), simplified(a, o).levels[0]));
+  CHECK(!is_same(plain.levels.back(), at_once.levels[0]));
+}
+
+// A surface that crumples: the best places of some edges would turn a triangle over in some frame, and an end or the middle
+// of the edge is taken.
+void test_crumpled()
+{
+  Shape s = sphere(3);
+  Random random(17);
+  for (Vec& p : s.points) p = (p + random.vector(.02)).normalized();
+  std::vector<Points> frames(1, s.points);
+  for (int f = 0; f < 6; ++f) {
+    const Vec wave = random.rotation() * Vec(0, 0, 10);
+    frames.push_back(mapped(s.points, [&](const Vec& p) { return Vec((1 + .3 * std::sin(wave.dot(p))) * p); }));
+  }
+  const Animation a(s, frames);
+  Amf::internal::Collapsed_mesh mesh = Amf::internal::mesh_to_collapse(a.sequence);
+  const auto index = get(CGAL::vertex_index, mesh);
+  Amf::Animation_collapse<Amf::internal::Collapsed_mesh, std::decay_t<decltype(index)>> collapse(
+      mesh, index, a.sequence.rest_shape(), a.sequence.trajectories(), wanted({40}));
+  const auto cost = collapse.cost();
+  const auto placement = collapse.placement();
+  const auto filter = collapse.filter();
+  std::size_t left = s.points.size(), others = 0;
+  const auto counted = [&](const auto& profile, const auto& best) {
+    const auto place = filter(profile, best);
+    if (place && *place != *best) ++others;
+    return place;
+  };
+  const Amf::Unwatched_simplification watch;
+  const Amf::internal::Collapse_counter<Amf::Unwatched_simplification> counter(left, left, 40, watch);
+  CGAL::Surface_mesh_simplification::edge_collapse(
+      mesh, Amf::internal::Vertex_count_stop(left, 40),
+      CGAL::parameters::get_cost(cost).get_placement(placement).filter(counted).visitor(collapse.visitor(counter)));
+  CHECK(left < 200 && others > 0);
+  const Amf::Animation_level level = Amf::internal::level_of(mesh, collapse);
+  for (const auto& e : errors(a, level, true)) CHECK(e.turned <= e.turned_in_original);
+  double sum_error = 0;
+  for (std::size_t v = 0; v < level.binding.size(); ++v) {
+    double sum = 0;
+    for (double w : level.binding.weights(v)) sum += w;
+    sum_error = (std::max)(sum_error, std::abs(sum - 1));
+  }
+  CHECK(sum_error < 1e-12);
+}
+
 // Far away from the origin single precision has other digits to lose.
 void test_moved_far_away()
 {
-  const Shape s = sphere(3);
+  // irregular, so that no two edges cost the same: roundings would tell which is collapsed
+  Shape s = sphere(3);
+  Random random(11);
+  for (Vec& p : s.points) p = (p + random.vector(.05)).normalized();
   const std::vector<Points> frames = walking(s.points, 4);
   std::vector<Points> far;
   for (const Points& f : frames) far.push_back(mapped(f, [](const Vec& p) { return Vec(p + Vec(1e5, -2e5, 3e5)); }));
@@ -554,6 +669,9 @@ int main()
   test_binding();
   test_topology();
   test_refinement();
+  test_pulls();
+  test_stages();
+  test_crumpled();
   test_moved_far_away();
   test_errors();
   test_nearest();

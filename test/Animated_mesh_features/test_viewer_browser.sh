@@ -40,6 +40,7 @@ fi
 if [[ -n "$comparer" ]]; then
   "$generator" figure --vertices 1200 --frames 40 -o other >/dev/null || exit 1
   "$comparer" small.pc2 other.pc2 -q -o pair.json --html pair.html || exit 1
+  "$comparer" small.pc2 other.pc2 -q --cyclic -o loops.json --html loops.html || exit 1
 fi
 
-"$node" browser_test.mjs "$browser" small large pair cyclic
+"$node" browser_test.mjs "$browser" small large pair cyclic loops

@@ -531,6 +531,10 @@ void test_covering()
       for (std::size_t j = 0; j < i; ++j) best_pair = (std::max)(best_pair, s.covered({i, j}));
     }
     CHECK_NEAR(views[0].score, best, 1e-12);
+    std::vector<std::size_t> all(directions.size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    CHECK_NEAR(s.covered_by_all(), s.covered(all), 1e-12);
+    CHECK(s.covered_by_all() >= views[2].covered && s.covered_by_all() <= 1 + 1e-12);
     const std::vector<Covering_view> two = covering_views(s, 2);
     CHECK_NEAR(two[1].covered, best_added, 1e-12);
     CHECK(two[1].covered >= (1 - std::exp(-1.)) * best_pair && two[1].covered <= best_pair + 1e-12);

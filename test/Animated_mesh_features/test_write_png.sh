@@ -117,6 +117,8 @@ for i, v in enumerate(d["views"]):
     there = (math.cos(e) * math.cos(a), math.cos(e) * math.sin(a), math.sin(e))
     assert max(abs(x - y) for x, y in zip(there, v["direction"])) < 1e-3
 assert all(a["covered"] <= b["covered"] for a, b in zip(d["views"], d["views"][1:]))
+assert d["views"][-1]["covered"] <= d["visible"] <= 1
+assert all(abs(v["covered_of_visible"] * d["visible"] - v["covered"]) < 2e-4 for v in d["views"])
 keys = d["camera"]["keys"]
 for a, b in zip(keys, keys[1:]):
     cosine = sum(x * y for x, y in zip(a["direction"], b["direction"]))

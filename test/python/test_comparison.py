@@ -54,7 +54,7 @@ def test_same_as_program(pair, signatures):
     alignment = amf.align(x, y, max_slope=2, end_weight=0.5, bend_weight=0.1, recurrence_weight=1)
     for name, value in expected["alignment"].items():
         assert np.array_equal(getattr(alignment, name), value), name
-    assert_same_matches(amf.match_features(x, y, matched=40, ratio=0.95, mutual=True), expected["matches"])
+    assert_same_matches(amf.match_features(x, y, alignment, matched=40, ratio=0.95, mutual=True), expected["matches"])
     assert_same_matches(alignment.pairs, expected["events"]["pairs"])
     for name in ("only_a", "only_b", "score"):
         assert np.array_equal(getattr(alignment, name), expected["events"][name]), name
@@ -132,11 +132,33 @@ def test_the_same_and_another(pair, signatures, cylinder):
     assert np.linalg.norm(places[0] - places[1]) < np.linalg.norm(places[0] - places[2])
 
 
-def test_cyclic(pair):
-    """is told to be taken as one that ends"""
-    file = amf.read_features(pair[0] / "a.json")
-    with pytest.warns(amf.Notice, match="cyclic"):
-        amf.signature(file._replace(parameters={**file.parameters, "cyclic": True}))
+def test_cyclic(pair, recwarn):
+    """a loop is the same one from whatever frame it begins; a file says that it is one"""
+    folder, a, _ = pair
+    frames = a.animation.frames
+    loops = [amf.detect(np.roll(frames, -k, axis=0), a.animation.faces, fps=30, rest=a.animation.vertices, cyclic=True)
+             for k in (0, 11)]
+    x, y = (amf.signature(loop) for loop in loops)
+    assert x.is_cyclic and y.is_cyclic and not amf.signature(a).is_cyclic
+    assert amf.animation_distance(x, y) < 1e-5 < 0.05 < amf.animation_distance(a, amf.detect(
+        np.roll(frames, -11, axis=0), a.animation.faces, fps=30, rest=a.animation.vertices))
+    alignment = amf.align(x, y)
+    n = len(frames)
+    assert alignment.phase == pytest.approx(11 / n, abs=1e-4) and alignment.loops == pytest.approx((n / 30, n / 30))
+    assert amf.align(a, a).loops == (0, 0)
+    np.testing.assert_allclose(alignment.to_b(np.arange(n) / 30), (np.arange(n) - 11) % n / 30, atol=1e-4)
+    matches = amf.match_features(x, y, alignment)
+    assert len(matches) == len(x.features) > 5
+    late = (x.features["time"][matches["a"]] - y.features["time"][matches["b"]]) * 30 - 11
+    assert np.abs((late + n / 2) % n - n / 2).max() < 1e-3
+    assert amf.event_differences(x, y, alignment)["amplitude"].max() < 1e-4
+    # where the deformation is described goes around, too
+    np.testing.assert_allclose(amf.descriptors(loops[1], y.features[matches["b"]]),
+                               amf.descriptors(loops[0], x.features[matches["a"]]), atol=2e-3)
+    file = amf.read_features(folder / "a.json")
+    assert not amf.signature(file).is_cyclic
+    assert amf.signature(file._replace(parameters={**file.parameters, "cyclic": True})).is_cyclic
+    assert not recwarn.list
 
 
 def test_what_cannot_be_compared(pair, signatures):

@@ -7,7 +7,7 @@
 // The viewer in a browser: node browser_test.mjs CHROMIUM BASE [LARGE] [PAIR] [CYCLIC]
 // BASE.html, BASE.json and, if there is one, BASE.glb were written by the same run of detect_features, on BASE.pc2; LARGE.html is a page of the size that
 // has a limit. PAIR.html and PAIR.json were written by the same run of compare_animations,
-// CYCLIC.html as BASE.html, but with --cyclic. Pictures are left in the current folder. Fails if any check fails; times are reported, never judged.
+// LOOPS.html and LOOPS.json likewise, with --cyclic; CYCLIC.html as BASE.html, but with --cyclic. Pictures are left in the current folder. Fails if any check fails; times are reported, never judged.
 
 import { existsSync, readFileSync, statSync } from "node:fs";
 import { resolve } from "node:path";
@@ -15,10 +15,10 @@ import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 import { testCyclic } from "./cyclic_test.mjs";
 import { testInteraction } from "./interaction_test.mjs";
-import { testPair } from "./pair_test.mjs";
+import { testLoops, testPair } from "./pair_test.mjs";
 import { testPainting } from "./painting_test.mjs";
 
-const [browserPath, base, large, pair, cyclic] = process.argv.slice(2);
+const [browserPath, base, large, pair, cyclic, loops] = process.argv.slice(2);
 const result = JSON.parse(readFileSync(`${base}.json`, "utf8"));
 const features = result.features;
 
@@ -571,6 +571,7 @@ try {
   await testMessages();
   await testMotion();
   if (pair && existsSync(`${pair}.html`)) await testPair({ open, check, near, set, state, pair });
+  if (loops && existsSync(`${loops}.html`)) await testLoops({ open, check, near, set, loops });
   if (cyclic && existsSync(`${cyclic}.html`)) await testCyclic({ open, check, near, set, state, cyclic, frames: result.animation.frames });
   if (large && existsSync(`${large}.html`)) await testLarge();
 } catch (error) {

@@ -83,3 +83,29 @@ export async function testPair({ open, check, near, set, state, pair }) {
   check(inner > 0.4 * outer && inner < 0.6 * outer, `the second view is ${inner} of ${outer} pixels wide`);
   await page.context().close();
 }
+
+/** Two loops: LOOPS.html and LOOPS.json were written by the same run of compare_animations. */
+export async function testLoops({ open, check, near, set, loops }) {
+  const page = await open(`${loops}.html`), { a, b, alignment } = JSON.parse(readFileSync(`${loops}.json`, "utf8"));
+  check(a.cyclic && b.cyclic && a.frames !== b.frames, `two loops: ${JSON.stringify([a, b])}`);
+  near(alignment.loops[1], b.frames * b.frame_duration, 1e-9, "as long as all frames of the second one");
+  const within = (time, period) => time - Math.floor(time / period) * period;
+  // once around the first one, which may be played several times beside the second one
+  const once = alignment.times_a.filter((time) => time < alignment.times_a[0] + alignment.loops[0]).length;
+  check(once > 10, `${once} samples of the map`);
+  for (let k = 0; k < once; k += 3) {
+    await set(page, { time: within(alignment.times_a[k], alignment.loops[0]) });
+    const time = await page.evaluate(() => viewer.companion.state.values.time), late = time - alignment.times_b[k];
+    check(time >= 0 && time <= alignment.loops[1], `a time of the second loop: ${time}`);
+    near(late - Math.round(late / alignment.loops[1]) * alignment.loops[1], 0, 1e-3, `the time of the second loop at ${alignment.times_a[k]} s`);
+  }
+  // all of its features are along the axis of the first one, those that live across its end on both sides
+  const { xs, ends } = await page.evaluate(() => {
+    const { timeline, scene } = viewer.companion;
+    return { xs: scene.features.map((f) => timeline.x(f.time)), ends: [0, viewer.scene.duration].map((t) => timeline.along(t)) };
+  });
+  check(xs.length > 3 && xs.every((x) => x >= ends[0] && x <= ends[1]), `${xs} from ${ends[0]} to ${ends[1]}`);
+  check((await page.locator("#missed").textContent()) === "", "nothing of a loop is before or after");
+  await page.screenshot({ path: "loops.png" });
+  await page.context().close();
+}

@@ -61,6 +61,16 @@ export function mapTime(from, to, time) {
   return to[i - 1] + (length > 0 ? (time - from[i - 1]) / length : 0) * (to[i] - to[i - 1]);
 }
 
+/** A time of a loop, from `first` to before a period later; of what ends, the time itself. */
+function within(time, first, period) {
+  return period > 0 ? time - Math.floor((time - first) / period) * period : time;
+}
+
+/** A map of time of loops, whose periods are 0 for what ends. */
+export function mapLoop(from, to, time, periodFrom, periodTo) {
+  return within(mapTime(from, to, within(time, from[0], periodFrom)), 0, periodTo);
+}
+
 /** A view to within what rounding changes of it from picture to picture. */
 function viewText(stage) {
   const { direction, moved, distance } = stage.relativeView();
@@ -100,13 +110,13 @@ export class Companion {
   }
 
   toSecond(time) {
-    const { times_a: a, times_b: b } = this.comparison.alignment;
-    return mapTime(a, b, time);
+    const { times_a: a, times_b: b, loops } = this.comparison.alignment;
+    return mapLoop(a, b, time, loops[0], loops[1]);
   }
 
   toFirst(time) {
-    const { times_a: a, times_b: b } = this.comparison.alignment;
-    return mapTime(b, a, time);
+    const { times_a: a, times_b: b, loops } = this.comparison.alignment;
+    return mapLoop(b, a, time, loops[1], loops[0]);
   }
 
   /** What of the second one's state follows from the first one's. */
@@ -168,8 +178,9 @@ export class Companion {
     const { min, max } = scene.fields[0] ?? { min: 0, max: 0 };
     $("range-b").textContent = scene.fields.length > 0 ? `Of B, the same colours are from ${short(min, 2)} to ${short(max, 2)}.` : "";
     const missed = [];
-    if (this.toSecond(0) > 0.05) missed.push(`before ${seconds(this.toSecond(0))}`);
-    if (this.toSecond(first.duration) < scene.duration - 0.05) missed.push(`after ${seconds(this.toSecond(first.duration))}`);
+    const isLoop = alignment.loops[1] > 0;
+    if (!isLoop && this.toSecond(0) > 0.05) missed.push(`before ${seconds(this.toSecond(0))}`);
+    if (!isLoop && this.toSecond(first.duration) < scene.duration - 0.05) missed.push(`after ${seconds(this.toSecond(first.duration))}`);
     $("missed").textContent = missed.length > 0 ? `What B does ${missed.join(" and ")} is outside of A's time.` : "";
   }
 

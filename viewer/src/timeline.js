@@ -130,8 +130,13 @@ export class Timeline {
         Object.assign(g, { lineWidth, strokeStyle });
         g.beginPath();
         for (const [from, to] of this.scene.spans(f)) {
-          g.moveTo(this.x(from), y);
-          g.lineTo(this.x(to), y);
+          const left = this.x(from), right = this.x(to);
+          // beside a loop, what goes on across the end of the axis
+          const pieces = left <= right ? [[left, right]] : [[left, this.along(this.axis.duration)], [this.along(0), right]];
+          for (const [x, end] of pieces) {
+            g.moveTo(x, y);
+            g.lineTo(end, y);
+          }
         }
         g.stroke();
       };
@@ -171,7 +176,9 @@ export class Timeline {
     g.lineWidth = 1;
     g.font = "10px system-ui, sans-serif";
     g.textBaseline = "top";
-    for (let i = 0; i * step <= this.scene.duration * (1 + 1e-9); ++i) {
+    // the end of a loop beside another animation is where it begins
+    const end = this.scene.duration * (this.scene.cyclic && this.axis.name ? 1 - 1e-9 : 1 + 1e-9);
+    for (let i = 0; i * step <= end; ++i) {
       const x = Math.round(this.x(i * step)) + 0.5;
       g.beginPath();
       g.moveTo(x, 0);

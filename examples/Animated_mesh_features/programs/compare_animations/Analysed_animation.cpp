@@ -33,6 +33,7 @@ Memory_plan memory_plan(const Run_options& o)
 
 Analysed_animation::Analysed_animation(const Item& item, const Settings& s)
   : m_name(item.name)
+  , m_is_cyclic(item.reading.is_cyclic)
   , m_plan(memory_plan(s.run))
   , m_animation(item.reading,
                 [&](std::size_t vertices, std::size_t frames) {
@@ -45,17 +46,21 @@ Analysed_animation::Analysed_animation(const Item& item, const Settings& s)
   m_plan.refine(m_animation.sequence().rest_shape());
   m_outputs.scenes.push_back({Scene_format::HTML, ""});
   Monitor monitor(m_log, false);
-  m_detection = Detect_features::detect(m_animation.sequence(), s.method, m_plan.level_memory(), m_fields, monitor);
+  Detect_features::Method_options method = s.method;
+  method.is_cyclic = item.reading.is_cyclic;
+  m_detection = Detect_features::detect(m_animation.sequence(), method, m_plan.level_memory(), m_fields, monitor);
 }
 
 AMF::Animation_signature Analysed_animation::signature(const Settings& s) const
 {
   const std::vector<AMF::Feature_point> features(m_detection.features.begin(), m_detection.features.end());
   const Sequence& sequence = m_animation.sequence();
+  AMF::Activity_options options = s.activity;
+  options.is_cyclic = m_is_cyclic;
   const auto make = [&](const auto& descriptor) {
     AMF::Animation_signature result =
         AMF::animation_signature(sequence.rest_shape(), m_fields.kept().front().values, sequence.frame_duration(),
-                                 features, s.activity, descriptor);
+                                 features, options, descriptor);
     result.activity.pose_variation =
         AMF::pose_variation(sequence.trajectories(), AMF::vertex_areas(sequence.rest_shape()));
     return result;
@@ -67,6 +72,7 @@ Shown_scene Analysed_animation::scene(std::size_t most)
 {
   m_detection.features.resize((std::min)(most, m_detection.features.size()));
   Shown_scene result{m_animation.sequence(), m_detection.features, {}, m_name};
+  result.is_cyclic = m_is_cyclic;
   for (const auto& f : m_fields.kept()) result.fields.push_back({name(f.kind), &f.values});
   return result;
 }

@@ -42,6 +42,7 @@ public:
 
 private:
   std::string m_name;
+  bool m_is_cyclic;
   Programs::Memory_plan m_plan;
   Programs::Animation m_animation;
   Programs::Stage_log m_log;

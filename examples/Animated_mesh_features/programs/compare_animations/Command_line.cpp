@@ -65,6 +65,11 @@ void add_comparison_options(Option_group& group, Settings& s)
   const auto weight = [&](const std::string& name, const std::string& text, double& value) {
     group.add(name, "X", text, [&value](const Argument& a) { value = a.non_negative_number(); });
   };
+  group.add_switch(
+      "cyclic", s.activity.is_cyclic,
+      "the last frame is followed by the first: loops are compared as ways around, from whatever frame they "
+      "begin. A last frame that repeats the first is left out. In a list, of one animation; a file of features "
+      "tells it itself");
   group.add("rate", "R",
             "samples in a second by which animations are aligned, whatever their frame rates (default: 30)",
             [&](const Argument& a) { s.activity.sample_duration = 1 / a.positive_number(); });
@@ -289,6 +294,7 @@ void run_command_line(int argc, const char* const* argv)
     return;
   }
   groups.use();
+  s.reading.is_cyclic = s.activity.is_cyclic;
   run(mode, s);
 }
 

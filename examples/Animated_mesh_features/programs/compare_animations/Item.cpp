@@ -124,7 +124,9 @@ Item listed_item(const std::vector<std::string>& words, const fs::path& folder, 
 {
   Programs::Reading_options o;
   Programs::Option_groups groups;
-  add_reading_options(groups.add_group("Input"), o);
+  Programs::Option_group& input = groups.add_group("Input");
+  add_reading_options(input, o);
+  input.add_switch("cyclic", o.is_cyclic, "the last frame is followed by the first");
   groups.add_positional("inputs", o.inputs, -1);
   std::vector<const char*> arguments = {"compare_animations"};
   for (const std::string& w : words) arguments.push_back(w.c_str());

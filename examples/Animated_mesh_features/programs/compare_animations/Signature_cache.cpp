@@ -33,7 +33,7 @@ typedef nlohmann::json Cbor; // the same values in bytes
 namespace {
 
 // of the file's layout and of what is computed: files of another one are not found
-const int version = 2;
+const int version = 3;
 
 // Fowler, Noll and Vo's FNV-1a, 64 bits.
 class Hash
@@ -105,7 +105,8 @@ void add_options(const Item& item, const Settings& s, Hash& hash)
   os.precision(17);
   os << version << ' ' << ANIMATED_MESH_FEATURES_VERSION << '\n'
      << text_of(r.frames_per_second) << '\n'
-     << r.as_given << r.triangulate << r.repair << int(r.weld) << r.skip_bad_frames << int(r.denoise) << r.there_and_back << '\n'
+     << r.as_given << r.triangulate << r.repair << int(r.weld) << r.skip_bad_frames << int(r.denoise)
+     << r.there_and_back << r.is_cyclic << '\n'
      << r.clip << '\n'
      << r.part << '\n'
      << text_of(r.clip_frames) << ' ' << (r.frame_range ? r.frame_range->text : "") << '\n'
@@ -186,6 +187,7 @@ Cbor cbor_of(const AMF::Animation_signature& s)
           {"level", a.level},
           {"lags", a.lags},
           {"classes", a.classes},
+          {"cyclic", a.is_cyclic},
           {"mean", a.mean},
           {"recurrence", a.recurrence},
           {"activity_places", a.places},
@@ -206,12 +208,14 @@ AMF::Animation_signature signature_of(const Cbor& j)
   s.events.places = descriptors_of(j.at("places"));
   j.at("distances").get_to(s.events.distances);
   j.at("unit").get_to(s.events.unit);
+  if (j.at("cyclic").get<bool>()) s.events.loop = double(s.frames) * s.frame_duration;
   AMF::Activity& a = s.activity;
   j.at("samples").get_to(a.samples);
   j.at("sample_duration").get_to(a.sample_duration);
   j.at("level").get_to(a.level);
   j.at("lags").get_to(a.lags);
   j.at("classes").get_to(a.classes);
+  j.at("cyclic").get_to(a.is_cyclic);
   j.at("mean").get_to(a.mean);
   j.at("recurrence").get_to(a.recurrence);
   j.at("activity_places").get_to(a.places);

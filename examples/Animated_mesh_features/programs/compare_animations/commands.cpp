@@ -20,7 +20,7 @@
 #include <CGAL/Animated_mesh_features/Applications/animation_distance.h>
 #include <CGAL/Animated_mesh_features/Applications/classical_scaling.h>
 #include <CGAL/Animated_mesh_features/Applications/event_differences.h>
-#include <CGAL/Animated_mesh_features/Descriptors/match_features.h>
+#include <CGAL/Animated_mesh_features/Applications/match_aligned_features.h>
 #include <CGAL/Animated_mesh_features/IO/write_json.h>
 #include <CGAL/Animated_mesh_features/IO/write_npy.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
@@ -81,6 +81,7 @@ Json json_of(const std::string& name, const Signature& s)
           {"frames", s.frames},
           {"frame_duration", s.frame_duration},
           {"features", s.events.features.size()},
+          {"cyclic", s.activity.is_cyclic},
           {"period", s.activity.cycle.period},
           {"cycle_strength", s.activity.cycle.strength},
           {"pose_variation", s.activity.pose_variation ? Json(*s.activity.pose_variation) : Json(nullptr)}};
@@ -218,8 +219,8 @@ Result compare_pair(const Settings& s)
   if (!s.run.quiet) Programs::tell(notice_of_kinds(items) + notice_of_clocks(a, b));
   const AMF::Time_alignment alignment = AMF::align_animations(a.activity, b.activity, s.alignment);
   const double distance = AMF::animation_distance(a.activity, b.activity, s.distance);
-  const std::vector<AMF::Feature_match> matches = AMF::match_features(a.events, b.events, s.matching);
-  const AMF::Event_alignment events = AMF::align_events(a.events, b.events);
+  const std::vector<AMF::Feature_match> matches = AMF::match_aligned_features(a, b, alignment, s.matching);
+  const AMF::Event_alignment events = AMF::align_events(a.events, b.events, alignment);
   const std::vector<AMF::Event_difference> differences = AMF::event_differences(a, b, alignment, s.gates);
 
   result.json = {
@@ -227,6 +228,7 @@ Result compare_pair(const Settings& s)
   result.json["alignment"] = {{"cost", alignment.cost},
                               {"confidence", alignment.confidence},
                               {"phase", alignment.phase ? Json(*alignment.phase) : Json(nullptr)},
+                              {"loops", {alignment.period_a, alignment.period_b}},
                               {"times_a", alignment.times_a},
                               {"times_b", alignment.times_b}};
   result.json["matches"] = json_of(matches, a, b);
@@ -240,7 +242,8 @@ Result compare_pair(const Settings& s)
     text << (i == 0 ? "A: " : "B: ") << names[i] << ", " << counted(x.events.features.size(), "feature", "features")
          << ", ";
     text.number(double(x.frames) * x.frame_duration, 3) << " s";
-    if (x.activity.cycle.period > 0) {
+    if (x.activity.is_cyclic) text << ", a loop";
+    if (x.activity.cycle.period > 0 && !(x.activity.is_cyclic && x.activity.cycle.period == x.activity.duration())) {
       text << ", repeats itself after ";
       text.number(x.activity.cycle.period, 3) << " s";
     }
@@ -253,7 +256,8 @@ Result compare_pair(const Settings& s)
   text.number(alignment.confidence, 3);
   if (alignment.phase) {
     text << "\n           phase of B: ";
-    text.number(*alignment.phase, 3) << " of a period ahead";
+    text.number(*alignment.phase, 3) << (a.activity.is_cyclic && b.activity.is_cyclic ? " of the loop ahead"
+                                                                                      : " of a period ahead");
   }
   text << "\n\n    time A   time B\n";
   const int rows = 8;

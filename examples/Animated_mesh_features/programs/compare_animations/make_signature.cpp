@@ -78,13 +78,11 @@ Signature signature_of_features(const Item& item, const Settings& s)
     throw AMF::Input_error(item.feature_file + ": the animation has " + std::to_string(d.frames) +
                            " frames, or no size, or no time between frames; there is nothing to compare");
   check_units(data, item.feature_file);
-  if (!s.run.quiet && is_cyclic(d))
-    tell(item.feature_file +
-         ": the animation is cyclic (--cyclic); it is compared as one that ends, from the first frame "
-         "to the last\n");
+  AMF::Activity_options options = s.activity;
+  options.is_cyclic = is_cyclic(d);
   return named(item.feature_file, [&] {
     return AMF::animation_signature(data.features, d.vertices, d.frames, d.frame_duration, d.bounding_box_diagonal,
-                                    s.activity);
+                                    options);
   });
 }
 

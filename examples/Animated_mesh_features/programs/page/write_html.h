@@ -60,8 +60,8 @@ Html_report write_html(std::ostream& os, const Shown_scene& scene, std::string_v
 // and features that are a pair have one colour and one number.
 //
 // The page has the scripts of both scenes, those of `b` with ids that begin with `scene-b`, and `comparison`, which is
-// what `compare_animations --output` writes of a pair: of that, it reads `distance`; `alignment` with `times_a`, `times_b`
-// and `confidence`; and of each of `matches` the ranks `a` and `b`, which are those of the scenes' features, from 0.
+// what `compare_animations --output` writes of a pair: of that, it reads `distance`; `alignment` with `times_a`, `times_b`,
+// `loops`, their periods or 0, and `confidence`; and of each of `matches` the ranks `a` and `b`, which are those of the scenes' features, from 0.
 //
 // Each scene has half of the room, see html_sampling(). returns what it did with the first and with the second one.
 // throws as above.

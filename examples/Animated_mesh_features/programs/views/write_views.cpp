@@ -75,6 +75,7 @@ void write_views(std::ostream& os, const Shown_scene& scene)
   std::optional<Scene_views> own;
   if (scene.views == nullptr) own = scene_views(scene, std::nullopt);
   const Scene_views& views = own ? *own : *scene.views;
+  const double visible = views.selection.scores.covered_by_all();
   Json chosen = Json::array();
   for (const AMF::Selected_view& v : views.selection.views)
     chosen.push_back({{"rank", chosen.size() + 1},
@@ -82,11 +83,15 @@ void write_views(std::ostream& os, const Shown_scene& scene)
                       {"elevation", rounded_to(v.angles.elevation, 100)},
                       {"direction", coordinates(v.direction)},
                       {"score", rounded_to(v.score, 1e4)},
-                      {"covered", rounded_to(v.covered, 1e4)}});
-  Json result = {
-      {"format", "animated-mesh-features-views"},  {"version", 1},
-      {"up", coordinates(views.selection.up)},     {"score", scene.features.empty() ? "entropy" : "features"},
-      {"frames", views.selection.scores.frames()}, {"views", std::move(chosen)}};
+                      {"covered", rounded_to(v.covered, 1e4)},
+                      {"covered_of_visible", rounded_to(visible > 0 ? v.covered / visible : 0, 1e4)}});
+  Json result = {{"format", "animated-mesh-features-views"},
+                 {"version", 1},
+                 {"up", coordinates(views.selection.up)},
+                 {"score", scene.features.empty() ? "entropy" : "features"},
+                 {"frames", views.selection.scores.frames()},
+                 {"visible", rounded_to(visible, 1e4)},
+                 {"views", std::move(chosen)}};
   if (!scene.features.empty()) result["camera"] = camera(scene, views);
   os << result.dump(2) << '\n';
 }

@@ -17,7 +17,8 @@ namespace Programs {
 // - "up", the vector that points up; "frames", those that were looked at, from 0;
 // - "views", the best first: "rank" from 1, "azimuth" and "elevation" (degrees, as --view takes them), "direction" (unit
 //   vector from the body to the camera), "score" and "covered" (0 to 1: what it shows of the features, alone and together
-//   with those before it);
+//   with those before it), "covered_of_visible", the latter as a part of "visible", what all directions that were looked
+//   from show together, which no choice exceeds;
 // - "camera": a path for the whole clip, no faster than 45 degrees a second: "interval" (s) between its "keys", each with
 //   "time" (s), angles and direction, of a cycle the last as the first, a period later; "score", and "still", the score of
 //   the best camera that stands still, both of the same 32 frames.

@@ -36,6 +36,9 @@ struct Activity_options
   /// no more samples than that: the time and memory of an alignment grow with the product of both numbers.
   std::size_t max_samples = 20000;
 
+  /// whether the last frame is followed by the first, as in a loop, which is one period long.
+  bool is_cyclic = false;
+
   /// looks whether all numbers are in their ranges.
   /// \throw Option_error if one is not.
   void check() const
@@ -82,13 +85,19 @@ struct Activity
   std::vector<float> recurrence; ///< `T x 2 L`: later, then earlier, by ascending lags
   std::vector<float> places;     ///< `T x P`
 
-  Cycle cycle; ///< of the whole motion
+  bool is_cyclic = false; ///< a loop: the last sample is followed by the first
+
+  Cycle cycle; ///< of the whole motion; a loop repeats itself at least after all of its samples
 
   /// how far the body moves, see `pose_variation()`, which takes positions; none if only a field is known.
   std::optional<double> pose_variation;
 
-  /// from the first to the last sample (s).
-  double duration() const { return samples > 0 ? double(samples - 1) * sample_duration : 0; }
+  /// from the first to the last sample, of a loop to the first again (s).
+  double duration() const
+  {
+    const std::size_t steps = is_cyclic || samples == 0 ? samples : samples - 1;
+    return double(steps) * sample_duration;
+  }
 };
 
 } // namespace Animated_mesh_features

@@ -24,9 +24,11 @@
 #include <CGAL/boost/graph/properties.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -56,7 +58,8 @@ The filter looks at all frames and the rest shape. It compares a triangle with t
 have taken the place of, wherever that has a side, that is, the sum of its normals is at least half as long as its area:
 the triangle looks to that side, unless it looked away before, and its normal turns by no more than the options allow,
 unless it comes within 60 degrees of that side, or nearer to it than it was. Without the second exception meshes lock that
-crumple in some frame: what else is left is collapsed then, at any cost.
+crumple in some frame: what else is left is collapsed then, at any cost. For the same reason the filter does not refuse
+an edge whose best place it does not allow if it allows one of its ends or its middle, for up to four times the cost.
 
 Quadrics are of planes, which reach beyond the triangles that they come from. `refine()` moves what is left by distances of
 surfaces, now and then, or at the end.
@@ -131,12 +134,13 @@ public:
     return [this](const auto& profile) { return internal::Collapse_optional<Point>(this->place(profile)); };
   }
 
-  /// refuses what would turn a triangle over in any frame.
+  /// refuses what would turn a triangle over in any frame, or has it take place at one of the edge's ends or in its middle.
   auto filter()
   {
     return [this](const auto& profile, const auto& placement) {
       typedef std::decay_t<decltype(placement)> Placement;
-      return this->is_allowed(profile) ? placement : Placement();
+      if (this->is_allowed(profile)) return placement;
+      return this->find_other_place(profile) ? Placement(this->point(m_collapses.rest_point(m_collapse))) : Placement();
     };
   }
 
@@ -188,8 +192,9 @@ public:
 
   /*!
   moves the vertices that are left, but for fixed ones and those at borders, to where both surfaces are nearest to each
-  other around them, in the sense of least squares over samples of both, in all poses together. The sum of squared
-  distances to these points does not grow; no triangle turns over. Collapses may go on from there.
+  other around them, in the mean over samples of both, in all poses together: for distances \f$e\f$ with the mean
+  \f$s/2\f$ in a pose the sum of \f$e - s\,\log(1 + e/s)\f$ becomes less. No step turns a triangle over; collapses may
+  go on from there.
 
   \param mesh that of the constructor, as it is now; its points at rest are changed.
   \param rest, guidance those of the constructor.
@@ -264,6 +269,29 @@ private:
     return true;
   }
 
+  // At an end or in the middle of the edge, the cheapest that is allowed, if it costs little more than the best place,
+  // which is not.
+  template <class Profile>
+  bool find_other_place(const Profile& profile)
+  {
+    const std::size_t i = rank(profile.v0()), j = rank(profile.v1());
+    if (m_collapses.is_fixed(i) || m_collapses.is_fixed(j)) return false;
+    const double most = most_of_best * m_collapses.cost(i, j, m_collapse);
+    std::array<std::pair<double, double>, 3> others; // cost and place
+    for (std::size_t k = 0; k < 3; ++k) {
+      others[k].second = double(k) / 2;
+      m_collapses.place_between(i, j, others[k].second, m_collapse);
+      others[k].first = m_collapses.cost(i, j, m_collapse);
+    }
+    std::sort(others.begin(), others.end());
+    for (const auto& other : others) {
+      if (other.first > most) return false;
+      m_collapses.place_between(i, j, other.second, m_collapse);
+      if (is_allowed(profile)) return true;
+    }
+    return false;
+  }
+
   template <class Profile>
   void commit(const Profile& profile, vertex_descriptor v)
   {
@@ -275,6 +303,10 @@ private:
     put(m_points, v, point(m_collapses.rest_point(kept)));
     m_is_selected = m_is_placed = false;
   }
+
+  // How much more than the best place another one may cost. With 2 a crumpled mesh locks sooner, with 10 collapses are
+  // worse than others that wait.
+  static constexpr double most_of_best = 4;
 
   VertexIndexMap m_index;
   Vertex_point_map m_points;

@@ -72,8 +72,10 @@ Animation_signature animation_signature(const Rest_shape& shape, const Spatio_te
   result.frame_duration = frame_duration;
   result.diagonal = shape.bounding_box_diagonal();
   const Surface_landmarks landmarks(shape);
-  result.events = described_features(shape, landmarks, features,
-                                     describe_features(shape, field, frame_duration, features, descriptor, loop), loop);
+  result.events = described_features(
+      shape, landmarks, features,
+      describe_features(shape, field, frame_duration, features, descriptor, loop, options.is_cyclic), loop);
+  if (options.is_cyclic) result.events.loop = double(result.frames) * frame_duration;
   std::vector<double> eccentricities;
   for (std::size_t v = 0; v < result.vertices; ++v) eccentricities.push_back(landmarks.eccentricity(v));
   result.activity = animation_activity(field, landmarks.areas(), eccentricities, frame_duration, options);
@@ -119,6 +121,7 @@ inline Animation_signature animation_signature(const std::vector<Feature_point>&
   result.frame_duration = frame_duration;
   result.diagonal = diagonal;
   result.events = described_features(features, diagonal);
+  if (options.is_cyclic) result.events.loop = double(frames) * frame_duration;
   result.activity = activity_of_features(features, frames, frame_duration, options);
   return result;
 }

@@ -48,7 +48,8 @@ struct Simplification_options
   std::size_t support = 8;
 
   /// how often the places of a level's vertices are refined by the distances between both surfaces, see
-  /// `Animation_collapse::refine()`; coarser levels go on from there. 0: never.
+  /// `Animation_collapse::refine()`; coarser levels go on from there. On the way to a level, whenever the number of vertices
+  /// has halved, a third as often, rounded up. 0: never.
   std::size_t refinements = 6;
 
   /// vertices that stay, by rank in `vertices(mesh)`, in any order.

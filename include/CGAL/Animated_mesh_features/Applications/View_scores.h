@@ -66,6 +66,15 @@ public:
     return worth(seen);
   }
 
+  /// what all directions show together: the most that any choice of them can, less than 1 if something is hidden from all
+  /// of them. `O(D I)` time.
+  double covered_by_all() const
+  {
+    std::vector<std::uint8_t> seen(m_weights.size(), 0);
+    for (std::size_t d = 0; d < m_directions.size(); ++d) add_seen(d, seen);
+    return worth(seen);
+  }
+
   /// the rank of the best direction, the first of equal ones; of those of which `is_allowed(direction)` says so.
   /// \returns `directions().size()` if none is allowed.
   template <class Predicate>

@@ -11,8 +11,7 @@
 #include <CGAL/Animated_mesh_features/Applications/Alignment_options.h>
 #include <CGAL/Animated_mesh_features/Applications/Time_alignment.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/Activity_cost.h>
-#include <CGAL/Animated_mesh_features/Applications/internal/Time_refinement.h>
-#include <CGAL/Animated_mesh_features/Applications/internal/Time_warping.h>
+#include <CGAL/Animated_mesh_features/Applications/internal/Warped_pair.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/cyclic_phase.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/surrogates.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
@@ -40,7 +39,14 @@ animation backwards and with its pieces of a third of a second in another order,
 times: 0 if the alignment costs no less than those, as it does for motions that have nothing to do with each other, near
 1 for the same motion.
 
-`O(S T_a T_b (1 + surrogates))` time, `5 T_a T_b` bytes, for slope `S` and `T` samples.
+Of a loop, see `Activity::is_cyclic`, the first sample follows the last one. Two loops: the best closed way around both,
+from whatever samples they begin, and the phase, of the whole loop, by which the second one is ahead. A loop and an
+animation that ends: the loop from the sample from which it is most alike. The shorter one, if it is a loop, is played as
+often as makes the durations most alike. If the slope does not suffice for a closed way, which it does from 2 on, the cost
+is 1 and the map even.
+
+`O(S T_a T_b (1 + surrogates))` time, `5 T_a T_b` bytes, for slope `S` and `T` samples; for loops up to 150 times as much
+time: so many warpings are tried, from pairs of samples at every 32nd part of either, and nearer to the best.
 
 \param a, b the activities, with the same time between samples and the same lags.
 \param options weights and limits.
@@ -51,36 +57,35 @@ inline Time_alignment align_animations(const Activity& a, const Activity& b,
                                        const Alignment_options& options = Alignment_options())
 {
   options.check();
-  const internal::Activity_cost cost(a, b, options);
-  const double bend_cost = options.bend_weight * cost.mean_norm();
-  const internal::Time_warping warping(a.samples, b.samples, cost, options.max_slope, options.end_weight, bend_cost);
+  if (a.is_cyclic && !b.is_cyclic) return align_animations(b, a, options).reversed();
+  const internal::Warped_pair pair(a, b, options);
+  const internal::Warped_pair::Way way = pair.way([](std::size_t j) { return j; });
   Time_alignment result;
-  result.cost = cost.relative(warping.cost());
+  result.cost = way.cost;
+  result.period_a = a.is_cyclic ? a.duration() : 0;
+  result.period_b = b.is_cyclic ? b.duration() : 0;
   const auto add = [&](double sample_of_a, double sample_of_b) {
     result.times_a.push_back(sample_of_a * a.sample_duration);
     result.times_b.push_back(sample_of_b * a.sample_duration);
   };
   if (options.smoothing > 0) {
-    const internal::Time_refinement map(cost, warping.path(), options.smoothing / a.sample_duration, options.max_slope);
-    for (std::size_t k = 0; k < map.size(); ++k) add(map.a(k), map.b(k));
+    for (const auto& [i, j] : pair.smooth(way)) add(i, j);
   } else {
-    for (const auto& [i, j] : warping.path()) add(double(i), double(j));
+    for (const auto& [i, j] : way.path) add(double(way.first.first + i), double(way.first.second + j));
   }
   if (options.surrogates > 0) {
-    std::vector<double> others;
+    double chance = 0;
     for (std::size_t k = 0; k < options.surrogates; ++k) {
       const std::vector<std::size_t> order = internal::surrogate_order(b.samples, b.sample_duration, k);
-      const internal::Time_warping other(
-          a.samples, b.samples, [&](std::size_t i, std::size_t j) { return cost(i, order[j]); }, options.max_slope,
-          options.end_weight, bend_cost);
-      others.push_back(cost.relative(other.cost()));
+      chance += pair.way([&](std::size_t j) { return order[j]; }).cost / double(options.surrogates);
     }
-    double chance = 0;
-    for (double c : others) chance += c / double(others.size());
     const double ratio = chance > 0 ? result.cost / chance : 1;
     result.confidence = (std::max)(1 - ratio * ratio, 0.);
   }
-  if (a.cycle.period > 0 && b.cycle.period > 0) result.phase = internal::cyclic_phase(a, b, cost);
+  if (a.is_cyclic)
+    result.phase = internal::phase_of_loops(result);
+  else if (a.cycle.period > 0 && b.cycle.period > 0)
+    result.phase = internal::cyclic_phase(a, b, internal::Activity_cost(a, b, options));
   return result;
 }
 

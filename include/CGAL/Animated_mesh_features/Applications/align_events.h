@@ -7,6 +7,7 @@
 #ifndef CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_ALIGN_EVENTS_H
 #define CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_ALIGN_EVENTS_H
 
+#include <CGAL/Animated_mesh_features/Applications/Time_alignment.h>
 #include <CGAL/Animated_mesh_features/Descriptors/Described_features.h>
 #include <CGAL/Animated_mesh_features/Descriptors/Matching_options.h>
 #include <CGAL/Animated_mesh_features/Descriptors/feature_difference.h>
@@ -14,6 +15,7 @@
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -32,6 +34,9 @@ struct Event_alignment_options
   double accepted = 0.8;       ///< a pair of events of that difference neither gains nor costs anything
   double gap_opening = 0.4;    ///< what the first event costs that is skipped
   double gap_extension = 0.1;  ///< what each further one costs
+
+  double begin_a = 0; ///< of a loop: the time at which the sequence of its events begins (s)
+  double begin_b = 0; ///< the same of the second one
 
   /// looks whether all numbers are in their ranges.
   /// \throw Option_error if one is not.
@@ -74,12 +79,16 @@ Event_alignment align_events(const Described_features& a, const Described_featur
 
 namespace internal {
 
-// In the order of time; neighbours that overlap, in that of how far out they are.
-inline std::vector<std::size_t> events_in_order(const Described_features& d, std::size_t top)
+// In the order of time, in a loop from `begin` on; neighbours that overlap, in that of how far out they are.
+inline std::vector<std::size_t> events_in_order(const Described_features& d, std::size_t top, double begin)
 {
   std::vector<std::size_t> order = strongest_features(d.features, top);
+  const auto time_of = [&](std::size_t i) {
+    const double time = d.features[i].time;
+    return d.loop > 0 ? time - begin - std::floor((time - begin) / d.loop) * d.loop : time;
+  };
   std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
-    return std::make_pair(d.features[i].time, i) < std::make_pair(d.features[j].time, j);
+    return std::make_pair(time_of(i), i) < std::make_pair(time_of(j), j);
   });
   const auto inward = [&](std::size_t i) { // the surface nearby and far away
     double sum = 0;
@@ -88,9 +97,9 @@ inline std::vector<std::size_t> events_in_order(const Described_features& d, std
     return sum;
   };
   for (std::size_t i = 0; i < order.size();) {
-    const Feature_point& first = d.features[order[i]];
+    const double last = time_of(order[i]) + d.features[order[i]].tau / 2;
     std::size_t end = i + 1;
-    while (end < order.size() && d.features[order[end]].time <= first.time + first.tau / 2) ++end;
+    while (end < order.size() && time_of(order[end]) <= last) ++end;
     std::stable_sort(order.begin() + std::ptrdiff_t(i), order.begin() + std::ptrdiff_t(end),
                      [&](std::size_t x, std::size_t y) { return inward(x) > inward(y); });
     i = end;
@@ -104,8 +113,8 @@ inline Event_alignment align_events(const Described_features& a, const Described
                                     const Event_alignment_options& o)
 {
   o.check();
-  const std::vector<std::size_t> x = internal::events_in_order(a, o.difference.top);
-  const std::vector<std::size_t> y = internal::events_in_order(b, o.difference.top);
+  const std::vector<std::size_t> x = internal::events_in_order(a, o.difference.top, o.begin_a);
+  const std::vector<std::size_t> y = internal::events_in_order(b, o.difference.top, o.begin_b);
   const std::size_t n = x.size(), m = y.size(), width = m + 1;
   // states: a pair, an event of a without partner, one of b; where each came from
   enum State : unsigned char
@@ -178,6 +187,21 @@ inline Event_alignment align_events(const Described_features& a, const Described
   for (std::size_t j = 0; j < m; ++j)
     if (of_b[j] == 0) result.only_b.push_back(y[j]);
   return result;
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesApplications
+
+the same of animations that are aligned: a loop's sequence begins where the other animation does.
+*/
+inline Event_alignment align_events(const Described_features& a, const Described_features& b,
+                                    const Time_alignment& alignment, Event_alignment_options options = {})
+{
+  if (b.loop > 0)
+    options.begin_b = alignment.to_b(options.begin_a);
+  else if (a.loop > 0)
+    options.begin_a = alignment.to_a(0);
+  return align_events(a, b, options);
 }
 
 } // namespace Animated_mesh_features

@@ -54,12 +54,14 @@ Activity animation_activity(const Spatio_temporal_field<FT>& field, const std::v
     throw Option_error("the field has " + std::to_string(field.number_of_rows()) + " rows, there are " +
                        std::to_string(areas.size()) + " areas and " + std::to_string(eccentricities.size()) +
                        " eccentricities");
-  const double frames = double(field.number_of_frames() - 1) * frame_duration / options.sample_duration;
+  const std::size_t steps = options.is_cyclic ? field.number_of_frames() : field.number_of_frames() - 1;
+  const double frames = double(steps) * frame_duration / options.sample_duration;
   if (!(frames < double(options.max_samples)))
     throw Input_error("the animation lasts " + std::to_string(frames * options.sample_duration) + " s, more than " +
                       std::to_string(options.max_samples) + " samples of " + std::to_string(options.sample_duration) +
                       " s; a longer time between samples is needed");
-  internal::Activity_sums sums(std::size_t(std::lround(frames)) + 1, options, !eccentricities.empty());
+  const std::size_t samples = std::size_t(std::lround(frames)) + (options.is_cyclic ? 0 : 1);
+  internal::Activity_sums sums(samples, options, !eccentricities.empty());
   if (sums.samples() < 3)
     throw Input_error("the animation lasts " + std::to_string(frames * options.sample_duration) +
                       " s, less than 3 samples of " + std::to_string(options.sample_duration) +
@@ -101,7 +103,8 @@ inline Activity activity_of_features(const std::vector<Feature_point>& features,
     const std::size_t row = row_of(f);
     if (!(areas[row] > 0)) areas[row] = f.sigma * f.sigma;
     for (std::size_t k = 0; k < frames; ++k) {
-      const double t = (double(k) * frame_duration - f.time) / f.tau;
+      const double away = double(k) * frame_duration - f.time, period = double(frames) * frame_duration;
+      const double t = (options.is_cyclic ? std::remainder(away, period) : away) / f.tau;
       field(row, k) += f.amplitude * std::exp(-t * t / 2);
     }
   }

@@ -9,6 +9,7 @@
 
 #include <CGAL/Animated_mesh_features/Applications/Activity.h>
 #include <CGAL/Animated_mesh_features/Applications/align_animations.h>
+#include <CGAL/Animated_mesh_features/Applications/internal/played_loop.h>
 #include <CGAL/Animated_mesh_features/Numerics/exceptions.h>
 
 #include <algorithm>
@@ -76,7 +77,10 @@ where
 - \f$v = \min(|\log_2 (\nu_a + \nu) / (\nu_b + \nu)| / 2, 1)\f$ is how unlike they are in how far the body moves, with
   their pose variations \f$\nu_a\f$ and \f$\nu_b\f$, see `pose_variation()`, and the least one \f$\nu\f$; 0 if one of
   them is not known;
-- \f$t = \min(|\log_2 T_a / T_b|, 1)\f$ is how unlike their durations are.
+- \f$t = \min(|\log_2 T_a / T_b|, 1)\f$ is how unlike their durations are, that of a loop as often as it is played
+  beside the other one.
+
+Of a loop it does not matter with which frame it begins.
 
 Symmetric; 0 for the same motion on the same body, whatever its mesh and frame rate, up to what these change the field.
 
@@ -96,7 +100,8 @@ inline double animation_distance(const Activity& a, const Activity& b,
   if (a.pose_variation && b.pose_variation)
     differ(options.variation_weight,
            octaves(*a.pose_variation + options.least_variation, *b.pose_variation + options.least_variation) / 2);
-  differ(options.duration_weight, octaves(a.duration(), b.duration()));
+  differ(options.duration_weight, octaves(a.duration() * double(internal::number_of_plays(a, b)),
+                                          b.duration() * double(internal::number_of_plays(b, a))));
   return 1 - likeness;
 }
 

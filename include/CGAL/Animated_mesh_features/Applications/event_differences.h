@@ -100,7 +100,7 @@ inline std::vector<Event_difference> event_differences(const Animation_signature
   for (std::size_t i = 0; i < x.size(); ++i)
     for (std::size_t j = 0; j < y.size(); ++j) {
       if (!are_alike(x[i].sigma / a.diagonal, y[j].sigma / b.diagonal) || !are_alike(x[i].tau, y[j].tau)) continue;
-      const double late = std::abs(alignment.to_b(x[i].time) - y[j].time);
+      const double late = std::abs(alignment.lateness(x[i].time, y[j].time));
       const double time = (late - rounding) / (std::max)({gates.frames * frame, x[i].tau / 2, y[j].tau / 2});
       const double place = distance(i, j);
       if (time <= 1 && place <= 1) near.emplace_back(place * place + time * time, i, j);

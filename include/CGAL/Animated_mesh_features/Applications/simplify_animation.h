@@ -21,6 +21,7 @@
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <type_traits>
@@ -118,6 +119,18 @@ private:
   const Watch* m_watch;
 };
 
+// On the way from one number of vertices to another those at which places are refined, each about half of the one before,
+// and the last.
+inline std::vector<std::size_t> stages_between(std::size_t from, std::size_t to)
+{
+  std::vector<std::size_t> stages;
+  const double steps = std::ceil(std::log2(double(from) / double(to)) - 1e-2); // from 100 % to 50 %: one
+  for (double k = 1; k < steps; ++k)
+    stages.push_back(std::size_t(double(from) * std::pow(double(to) / double(from), k / steps)));
+  stages.push_back(to);
+  return stages;
+}
+
 template <class Collapse>
 Animation_level level_of(const Collapsed_mesh& mesh, const Collapse& collapse)
 {
@@ -146,6 +159,9 @@ Animation_level level_of(const Collapsed_mesh& mesh, const Collapse& collapse)
 simplifies an animated mesh, for all of its frames at once: one coarse connectivity, or several, nested, whose
 vertices follow those of the original. See `Animation_collapse` for the method, `simplification_errors()` for what it
 costs.
+
+Where the number of vertices has halved, and at each level, places are refined, and all edges that no collapse was possible
+of are tried again: from where quadrics alone lead, many good collapses of a mesh that crumples would turn a triangle over.
 
 Topology stays: closed surfaces stay closed, each component keeps its genus and its borders. No collapse turns a
 triangle over in any frame; those that look away from the original around them do so in the original.
@@ -190,13 +206,16 @@ Simplified_animation simplify_animation(const Animation& animation, const Simpli
   const std::size_t from = vertices, last = options.vertices.back();
   const internal::Collapse_counter<Watch> counter(vertices, from, last, watch);
   for (std::size_t target : options.vertices) {
-    const std::size_t before = vertices;
-    SMS::edge_collapse(
-        mesh, internal::Vertex_count_stop(vertices, target),
-        CGAL::parameters::get_cost(cost).get_placement(placement).filter(filter).visitor(collapse.visitor(counter)));
-    for (std::size_t k = 0; k < options.refinements && vertices < before; ++k) {
-      if (!watch(counter.done())) throw Cancelled();
-      collapse.refine(mesh, rest, guidance);
+    for (std::size_t stage : internal::stages_between(vertices, target)) {
+      const std::size_t before = vertices;
+      SMS::edge_collapse(
+          mesh, internal::Vertex_count_stop(vertices, stage),
+          CGAL::parameters::get_cost(cost).get_placement(placement).filter(filter).visitor(collapse.visitor(counter)));
+      const std::size_t refinements = stage == target ? options.refinements : (options.refinements + 2) / 3;
+      for (std::size_t k = 0; k < refinements && vertices < before; ++k) {
+        if (!watch(counter.done())) throw Cancelled();
+        collapse.refine(mesh, rest, guidance);
+      }
     }
     result.levels.push_back(internal::level_of(mesh, collapse));
   }

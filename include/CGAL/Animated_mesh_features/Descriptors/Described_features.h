@@ -43,6 +43,7 @@ struct Described_features
   Feature_descriptors places; ///< profiles, see `Surface_landmarks`; of size `M`, or 0 if nothing is known of the mesh
   std::vector<float> distances; ///< `M x M` on the surface, in units of `unit`
   double unit = 1;              ///< a size of the body (length), in which \f$\sigma\f$ is compared, too
+  double loop = 0;              ///< after which the animation begins again (s); 0 if it ends
 };
 
 /*!

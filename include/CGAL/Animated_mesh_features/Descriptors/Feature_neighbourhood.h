@@ -21,12 +21,12 @@ What a feature descriptor sees of a feature: samples of the field around it, in 
 
 Places are those of a log map of the rest shape: a plane that touches the surface at the feature, divided by
 \f$\sigma\f$; times are counted from that of the feature and divided by \f$\tau\f$. The direction of the first axis is
-arbitrary, the second one is a quarter turn counterclockwise from it, seen from outside. `V` vertices, `T` times.
+arbitrary, the second one is a quarter turn counterclockwise from it, seen from outside. `V` places, `T` times.
 */
 struct Feature_neighbourhood
 {
-  /// A vertex of the neighbourhood.
-  struct Vertex
+  /// A place of the neighbourhood.
+  struct Place
   {
     double x = 0;    ///< \f$\sigma\f$
     double y = 0;    ///< \f$\sigma\f$
@@ -37,9 +37,9 @@ struct Feature_neighbourhood
   /// \f$\sigma\f$, \f$\sigma\f$ and \f$\tau\f$.
   typedef std::array<float, 3> Gradient;
 
-  std::vector<Vertex> vertices;    ///< `V`
+  std::vector<Place> places;       ///< `V`
   std::vector<double> times;       ///< `T`, ascending, equidistant (\f$\tau\f$)
-  std::vector<float> values;       ///< `V x T` values of the field, those of a vertex next to one another
+  std::vector<float> values;       ///< `V x T` values of the field, those of a place next to one another
   std::vector<Gradient> gradients; ///< `V x T`, in the same order
 
   /// how far it reaches: \f$\sigma\f$ on the surface, \f$\tau\f$ in time.

@@ -52,7 +52,7 @@ inline void normalize_histogram(float* first, std::size_t n)
 }
 
 // The weight of a sample: its area, under a Gaussian as wide as half of the neighbourhood.
-inline double sample_weight(const Feature_neighbourhood::Vertex& v, double time)
+inline double sample_weight(const Feature_neighbourhood::Place& v, double time)
 {
   const double width = Feature_neighbourhood::reach / 2;
   return v.area * std::exp(-(v.x * v.x + v.y * v.y + time * time) / (2 * width * width));
@@ -96,8 +96,8 @@ struct Rotation_free_gradient_histogram
     std::fill(out, out + length(), 0.f);
     const double reach = Feature_neighbourhood::reach;
     const std::size_t T = n.times.size();
-    for (std::size_t v = 0; v < n.vertices.size(); ++v) {
-      const Feature_neighbourhood::Vertex& p = n.vertices[v];
+    for (std::size_t v = 0; v < n.places.size(); ++v) {
+      const Feature_neighbourhood::Place& p = n.places[v];
       const double r = std::hypot(p.x, p.y);
       const double cosine = r > 0 ? p.x / r : 1, sine = r > 0 ? p.y / r : 0;
       const internal::Soft_bin radius = internal::soft_bin(r, 0, reach, radii);
@@ -163,8 +163,8 @@ struct Oriented_gradient_histogram
     const double pi = 3.14159265358979323846, reach = Feature_neighbourhood::reach;
     const std::array<double, 2> axis = dominant_direction(n);
     const std::size_t T = n.times.size();
-    for (std::size_t v = 0; v < n.vertices.size(); ++v) {
-      const Feature_neighbourhood::Vertex& p = n.vertices[v];
+    for (std::size_t v = 0; v < n.places.size(); ++v) {
+      const Feature_neighbourhood::Place& p = n.places[v];
       const double px = p.x * axis[0] + p.y * axis[1], py = p.y * axis[0] - p.x * axis[1];
       const internal::Soft_bin radius = internal::soft_bin(std::hypot(px, py), 0, reach, radii);
       const bool is_aside = std::hypot(px, py) > 1e-9;
@@ -218,9 +218,9 @@ private:
   {
     double xx = 0, xy = 0, yy = 0, x = 0, y = 0, sum = 0, mean = 0;
     const std::size_t T = n.times.size();
-    for (std::size_t v = 0; v < n.vertices.size(); ++v)
+    for (std::size_t v = 0; v < n.places.size(); ++v)
       for (std::size_t k = 0; k < T; ++k) {
-        const double w = internal::sample_weight(n.vertices[v], n.times[k]);
+        const double w = internal::sample_weight(n.places[v], n.times[k]);
         const Feature_neighbourhood::Gradient& g = n.gradients[v * T + k];
         xx += w * g[0] * g[0];
         xy += w * g[0] * g[1];
@@ -229,11 +229,11 @@ private:
         mean += w * n.values[v * T + k];
       }
     if (sum > 0) mean /= sum;
-    for (std::size_t v = 0; v < n.vertices.size(); ++v)
+    for (std::size_t v = 0; v < n.places.size(); ++v)
       for (std::size_t k = 0; k < T; ++k) {
-        const double w = internal::sample_weight(n.vertices[v], n.times[k]) * (n.values[v * T + k] - mean);
-        x += w * n.vertices[v].x;
-        y += w * n.vertices[v].y;
+        const double w = internal::sample_weight(n.places[v], n.times[k]) * (n.values[v * T + k] - mean);
+        x += w * n.places[v].x;
+        y += w * n.places[v].y;
       }
     const double angle = std::atan2(2 * xy, xx - yy) / 2;
     const std::array<double, 2> axis = {{std::cos(angle), std::sin(angle)}};

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,14 +28,21 @@ namespace Animated_mesh_features {
 /*!
 \ingroup PkgAnimatedMeshFeaturesDescriptors
 
-Takes the samples of a field around a feature, see `Feature_neighbourhood`: the vertices within \f$3\,\sigma\f$ on the
-rest shape, by a discrete exponential map \cgalCite{schmidt2006}, and 25 times from \f$-3\,\tau\f$ to \f$3\,\tau\f$,
-whatever the frame rate; between frames the field is linear, beyond the first and last one it is mirrored. The gradient
-on the surface is the mean of the triangles' around a vertex, by area; that in time is the difference of the samples
-before and after.
+Takes the samples of a field around a feature, see `Feature_neighbourhood`: at 127 places, on six rings up to
+\f$3\,\sigma\f$, in a discrete exponential map of the rest shape \cgalCite{schmidt2006}, and 25 times from
+\f$-3\,\tau\f$ to \f$3\,\tau\f$, whatever the mesh and the frame rate. Between frames the field is linear; beyond the
+first and last one it is mirrored, or that of a loop goes on.
+
+The value and the gradient on the surface are those of the linear function that fits the vertices within
+\f$2\,\sigma\f$ best, each by its area times \f$(1 - d^2 / 4 \sigma^2)^2\f$ (moving least squares): smoothed at the
+feature's own scale, as gradients of images are in descriptors \cgalCite{lowe2004}, for those of single triangles depend
+on the mesh. Vertices up to \f$3.5\,\sigma\f$ from the feature count; the rings are turned to where the field is
+larger. The gradient in time is the difference of the samples before and after; it is not smoothed, as \f$\tau\f$ is often
+hardly more than a frame. A place without surface around it is left out.
 
 Keeps a few numbers for each vertex; the objects that it is made of are kept by reference. A call takes
-`O(k log k + 25 k)` for `k` vertices around the feature, whatever the size of the mesh and the number of frames.
+`O(k log k + 25 48 k)` for `k` vertices around the feature, each of which counts at 48 places, whatever the size of the
+mesh and the number of frames.
 
 \tparam FT `float` or `double`, the scalar of the field.
 */
@@ -50,16 +58,18 @@ public:
   \param shape the surface at rest.
   \param field `N x F`, finite.
   \param frame_duration the time between two frames (s), positive.
+  \param is_cyclic whether the last frame is followed by the first.
   \throw Option_error if the numbers of vertices differ, or the time between two frames is not positive.
   */
-  Neighbourhood_sampler(const Rest_shape& shape, const Spatio_temporal_field<FT>& field, double frame_duration)
+  Neighbourhood_sampler(const Rest_shape& shape, const Spatio_temporal_field<FT>& field, double frame_duration,
+                        bool is_cyclic = false)
     : m_shape(&shape)
     , m_field(&field)
     , m_frame_duration(frame_duration)
+    , m_is_cyclic(is_cyclic)
     , m_areas(vertex_areas(shape))
     , m_normals(internal::vertex_normals(shape))
     , m_log_map(shape, m_normals)
-    , m_row_of(shape.number_of_vertices(), none)
   {
     if (field.number_of_rows() != shape.number_of_vertices() || field.number_of_frames() == 0)
       throw Option_error("the field is " + std::to_string(field.number_of_rows()) + " x " +
@@ -82,17 +92,16 @@ public:
     Feature_neighbourhood result;
     const std::ptrdiff_t half = std::ptrdiff_t(samples_per_tau * std::size_t(Feature_neighbourhood::reach));
     for (std::ptrdiff_t k = -half; k <= half; ++k) result.times.push_back(double(k) / double(samples_per_tau));
-    const Place centre = place_of(feature);
-    std::vector<Index> inside;
-    for (Index v : reached) {
-      const double x = (m_log_map.x(v) - centre.x) / feature.sigma, y = (m_log_map.y(v) - centre.y) / feature.sigma;
-      if (std::hypot(x, y) > Feature_neighbourhood::reach) continue;
-      inside.push_back(v);
-      result.vertices.push_back({x, y, m_areas[v] / (feature.sigma * feature.sigma)});
+    find_samples(feature, reached, result.times.size());
+    const double first = steepest_angle();
+    for (int ring = 0; ring <= rings; ++ring) {
+      const int places = (std::max)(6 * ring, 1);
+      const double pi = 3.14159265358979323846, r = double(ring) / rings_per_sigma;
+      for (int i = 0; i < places; ++i) {
+        const double angle = first + 2 * pi * (i + 0.5 * (ring % 2)) / places;
+        append(Place{r * std::cos(angle), r * std::sin(angle)}, result);
+      }
     }
-    sample(feature, inside, result.times.size());
-    for (Index v : inside) append(feature, v, result);
-    for (Index v : m_sampled) m_row_of[v] = none;
     return result;
   }
 
@@ -100,12 +109,19 @@ private:
   typedef Rest_shape::Index Index;
   typedef Rest_shape::Point Point;
 
-  static constexpr std::size_t none = std::size_t(-1);
+  static constexpr int rings_per_sigma = 2, rings = 6;
   static constexpr double margin = 0.5; // paths along edges are longer than straight ones
+  static constexpr double window = 2;   // sigma: how far vertices count at a place
 
   struct Place
   {
     double x = 0, y = 0;
+  };
+
+  // A vertex around the feature.
+  struct Sample
+  {
+    double x, y, area;
   };
 
   void check(const Feature_point& f) const
@@ -136,27 +152,22 @@ private:
     return place;
   }
 
-  // The field at vertices and their neighbours, and at one time more at both ends, for differences.
-  void sample(const Feature_point& f, const std::vector<Index>& inside, std::size_t times)
+  // The field at vertices, and at one time more at both ends, for differences.
+  void find_samples(const Feature_point& f, const std::vector<Index>& reached, std::size_t times)
   {
-    m_sampled.clear();
-    const auto add = [&](Index v) {
-      if (m_row_of[v] != none) return;
-      m_row_of[v] = m_sampled.size();
-      m_sampled.push_back(v);
-    };
-    for (Index v : inside) {
-      add(v);
-      for (Index w : m_shape->neighbours()[v]) add(w);
-    }
+    const Place centre = place_of(f);
+    m_samples.clear();
+    for (Index v : reached)
+      m_samples.push_back({(m_log_map.x(v) - centre.x) / f.sigma, (m_log_map.y(v) - centre.y) / f.sigma,
+                           m_areas[v] / (f.sigma * f.sigma)});
     m_width = times + 2;
-    m_samples.resize(m_sampled.size() * m_width);
+    m_values.resize(reached.size() * m_width);
     for (std::size_t k = 0; k < m_width; ++k) {
       const double tau = (double(k) - double(m_width - 1) / 2) / double(samples_per_tau);
       const Interpolation at = interpolation((f.time + tau * f.tau) / m_frame_duration);
-      for (std::size_t i = 0; i < m_sampled.size(); ++i) {
-        const FT* row = m_field->row(m_sampled[i]);
-        m_samples[i * m_width + k] =
+      for (std::size_t i = 0; i < reached.size(); ++i) {
+        const FT* row = m_field->row(reached[i]);
+        m_values[i * m_width + k] =
             float((1 - at.fraction) * double(row[at.frame]) + at.fraction * double(row[at.next]));
       }
     }
@@ -170,71 +181,114 @@ private:
 
   Interpolation interpolation(double frame) const
   {
-    const double last = double(m_field->number_of_frames() - 1);
+    const std::size_t frames = m_field->number_of_frames();
+    if (m_is_cyclic) {
+      const double within = frame - std::floor(frame / double(frames)) * double(frames);
+      const std::size_t before = (std::min)(std::size_t(within), frames - 1);
+      return {before, (before + 1) % frames, (std::min)(within - double(before), 1.)};
+    }
+    const double last = double(frames - 1);
     if (last == 0) return {0, 0, 0};
     frame = std::abs(std::remainder(frame, 2 * last)); // mirrored at both ends
     const std::size_t before = (std::min)(std::size_t(frame), std::size_t(last) - 1);
     return {before, before + 1, frame - double(before)};
   }
 
-  void append(const Feature_point& f, Index v, Feature_neighbourhood& result)
+  // Where the field is larger at the feature's time: the direction from which places are counted, so that they are the
+  // same ones however the axes of the map lie.
+  double steepest_angle() const
   {
-    find_differences(v);
-    const float* own = &m_samples[m_row_of[v] * m_width];
-    const float sigma = float(f.sigma), per_tau = float(samples_per_tau) / 2;
-    for (std::size_t k = 1; k + 1 < m_width; ++k) {
-      float x = 0, y = 0;
-      for (const Difference& d : m_differences) {
-        const float value = m_samples[d.row * m_width + k];
-        x += d.x * value;
-        y += d.y * value;
+    const double limit = Feature_neighbourhood::reach + margin;
+    double sum = 0, mean = 0, x = 0, y = 0;
+    const auto add = [&](const auto& what) {
+      for (std::size_t i = 0; i < m_samples.size(); ++i) {
+        const Sample& s = m_samples[i];
+        const double far = (std::max)(1 - (s.x * s.x + s.y * s.y) / (limit * limit), 0.);
+        what(s, s.area * far * far, double(m_values[i * m_width + m_width / 2]));
       }
-      result.values.push_back(own[k]);
-      result.gradients.push_back({{x * sigma, y * sigma, (own[k + 1] - own[k - 1]) * per_tau}});
-    }
+    };
+    add([&](const Sample&, double weight, double value) {
+      sum += weight;
+      mean += weight * value;
+    });
+    if (!(sum > 0)) return 0;
+    mean /= sum;
+    add([&](const Sample& s, double weight, double value) {
+      x += weight * (value - mean) * s.x;
+      y += weight * (value - mean) * s.y;
+    });
+    return std::atan2(y, x);
   }
 
-  // How much the value of a vertex counts in the gradient of another one.
-  struct Difference
+  // The linear functions that fit best around a place, one for each time.
+  void append(const Place& p, Feature_neighbourhood& result)
   {
-    std::size_t row;
-    float x, y;
-  };
-
-  // The gradient of a linear function on a triangle is the sum of n x e over the doubled area, times the values of the
-  // corners, where e is the edge opposite of the corner; means by area over the triangles around v.
-  void find_differences(Index v)
-  {
-    m_differences.clear();
-    double area = 0;
-    for (Index t : m_shape->incident_triangles()[v]) area += m_shape->areas()[t];
-    if (!(area > 0)) return;
-    const Point& first = m_log_map.first_axis(v);
-    const Point second = m_log_map.second_axis(v);
-    for (Index t : m_shape->incident_triangles()[v]) {
-      const Rest_shape::Triangle& c = m_shape->triangles()[t];
-      const double doubled = 2 * m_shape->areas()[t];
-      if (!(doubled > 0)) continue;
-      const auto point = [&](std::size_t i) -> const Point& { return m_shape->points()[c[i % 3]]; };
-      const Point n = (point(1) - point(0)).cross(point(2) - point(0)) / doubled;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Point g = n.cross(point(i + 2) - point(i + 1)) / doubled * (doubled / 2 / area);
-        m_differences.push_back({m_row_of[c[i]], float(g.dot(first)), float(g.dot(second))});
+    const double pi = 3.14159265358979323846;
+    m_weights.clear();
+    double sum = 0, x = 0, y = 0;
+    for (std::size_t i = 0; i < m_samples.size(); ++i) {
+      const Sample& s = m_samples[i];
+      const double squares = ((s.x - p.x) * (s.x - p.x) + (s.y - p.y) * (s.y - p.y)) / (window * window);
+      if (squares >= 1) continue;
+      const double weight = s.area * (1 - squares) * (1 - squares);
+      m_weights.emplace_back(i, weight);
+      sum += weight;
+      x += weight * s.x;
+      y += weight * s.y;
+    }
+    if (!(sum > 0)) return;
+    x /= sum;
+    y /= sum;
+    double xx = 0, xy = 0, yy = 0;
+    m_means.assign(m_width, 0);
+    m_slopes_x.assign(m_width, 0);
+    m_slopes_y.assign(m_width, 0);
+    for (const auto& [i, weight] : m_weights) {
+      const double u = m_samples[i].x - x, v = m_samples[i].y - y;
+      xx += weight * u * u;
+      xy += weight * u * v;
+      yy += weight * v * v;
+      const float* values = &m_values[i * m_width];
+      for (std::size_t k = 0; k < m_width; ++k) {
+        const double f = weight * double(values[k]);
+        m_means[k] += f;
+        m_slopes_x[k] += u * f;
+        m_slopes_y[k] += v * f;
       }
+    }
+    const double least = 1e-9 * sum * window * window; // of vertices on a line there is no slope across it
+    xx += least;
+    yy += least;
+    const double det = xx * yy - xy * xy;
+    for (std::size_t k = 0; k < m_width; ++k) {
+      const double u = m_slopes_x[k], v = m_slopes_y[k];
+      m_slopes_x[k] = (yy * u - xy * v) / det;
+      m_slopes_y[k] = (xx * v - xy * u) / det;
+      m_means[k] = m_means[k] / sum + m_slopes_x[k] * (p.x - x) + m_slopes_y[k] * (p.y - y);
+    }
+    // the places share the plane equally; each has as much of the surface as there is around it
+    const double share = pi / 3 / double(rings_per_sigma * rings_per_sigma);
+    result.places.push_back({p.x, p.y, share * sum / (pi * window * window / 3)});
+    const double per_tau = double(samples_per_tau) / 2;
+    for (std::size_t k = 1; k + 1 < m_width; ++k) {
+      result.values.push_back(float(m_means[k]));
+      result.gradients.push_back(
+          {{float(m_slopes_x[k]), float(m_slopes_y[k]), float((m_means[k + 1] - m_means[k - 1]) * per_tau)}});
     }
   }
 
   const Rest_shape* m_shape;
   const Spatio_temporal_field<FT>* m_field;
   double m_frame_duration;
+  bool m_is_cyclic;
   std::vector<double> m_areas;
   std::vector<Point> m_normals;
   internal::Log_map m_log_map;
-  std::vector<std::size_t> m_row_of; // of m_samples, for each vertex
-  std::vector<Index> m_sampled;
-  std::vector<float> m_samples; // of m_width times for each of m_sampled
+  std::vector<Sample> m_samples;
+  std::vector<float> m_values; // of m_width times for each of m_samples
   std::size_t m_width = 0;
-  std::vector<Difference> m_differences;
+  std::vector<std::pair<std::size_t, double>> m_weights; // of samples at a place
+  std::vector<double> m_means, m_slopes_x, m_slopes_y;   // m_width
 };
 
 } // namespace Animated_mesh_features

@@ -87,18 +87,19 @@ Linear in the number of samples around all features, see `Neighbourhood_sampler`
 \param features are described in their order.
 \param descriptor by what.
 \param loop runs the tasks, one for each feature.
+\param is_cyclic whether the last frame is followed by the first.
 \throw Input_error if a feature does not belong to the shape; Option_error if the field does not.
 */
 template <class FT, class Descriptor, class Loop>
 Feature_descriptors describe_features(const Rest_shape& shape, const Spatio_temporal_field<FT>& field,
                                       double frame_duration, const std::vector<Feature_point>& features,
-                                      const Descriptor& descriptor, const Loop& loop)
+                                      const Descriptor& descriptor, const Loop& loop, bool is_cyclic = false)
 {
   Feature_descriptors result(features.size(), descriptor.length());
   internal::Thread_local<Neighbourhood_sampler<FT>> samplers;
   loop(features.size(), [&](std::size_t i) {
-    Neighbourhood_sampler<FT>& sampler =
-        samplers.get([&] { return std::make_unique<Neighbourhood_sampler<FT>>(shape, field, frame_duration); });
+    Neighbourhood_sampler<FT>& sampler = samplers.get(
+        [&] { return std::make_unique<Neighbourhood_sampler<FT>>(shape, field, frame_duration, is_cyclic); });
     descriptor(sampler(features[i]), result[i]);
   });
   return result;

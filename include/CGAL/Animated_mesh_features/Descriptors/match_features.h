@@ -33,18 +33,35 @@ pairs features of two animations that show the same event, without any correspon
    and its mirror image all distances are the same; of two sets the one is preferred whose places on the rest shapes map
    by a rotation and not by a reflection.
 
+Of a loop, see `Described_features::loop`, times are known but for ways around.
+
 `O(C^2)` time and memory for `C` candidates, of which there are at most `2 top candidates`.
 
+\param a, b the features.
+\param options weights and limits.
+\param may_match called with ranks in `a` and `b`: whether the two may be a pair; see `match_aligned_features()`.
 \returns pairs, the most confident ones first. None, if either side has no features.
 \throw Option_error if an option is out of its range; Cancelled if it is called in a task of a `Task_loop`, whose visitor is
   asked every tenth of a second, and has had enough.
 */
+template <class MayMatch>
+std::vector<Feature_match> match_features(const Described_features& a, const Described_features& b,
+                                          const Matching_options& options, const MayMatch& may_match)
+{
+  options.check();
+  const std::vector<internal::Candidate_pair> candidates = internal::candidate_pairs(a, b, options, may_match);
+  return internal::Consistent_pairs(a, b, candidates, options).matches();
+}
+
+/*!
+\ingroup PkgAnimatedMeshFeaturesDescriptors
+
+the same of all pairs.
+*/
 inline std::vector<Feature_match> match_features(const Described_features& a, const Described_features& b,
                                                  const Matching_options& options = Matching_options())
 {
-  options.check();
-  const std::vector<internal::Candidate_pair> candidates = internal::candidate_pairs(a, b, options);
-  return internal::Consistent_pairs(a, b, candidates, options).matches();
+  return match_features(a, b, options, [](std::size_t, std::size_t) { return true; });
 }
 
 } // namespace Animated_mesh_features

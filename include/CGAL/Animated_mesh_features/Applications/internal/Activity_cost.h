@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -35,6 +36,8 @@ public:
     if (a.samples == 0 || b.samples == 0) throw Option_error("an activity has no samples");
     const bool has_places = a.classes == b.classes && a.classes > 0 && o.place_weight > 0;
     m_has_instants = has_places || o.mean_weight > 0;
+    m_wraps_a = a.is_cyclic;
+    m_wraps_b = b.is_cyclic;
     m_a = vectors(a, o, has_places);
     m_b = vectors(b, o, has_places);
     m_norm = norm(m_a) + norm(m_b);
@@ -46,6 +49,13 @@ public:
     float squares = 0;
     for (std::size_t k = 0; k < m_width; ++k) squares += (x[k] - y[k]) * (x[k] - y[k]);
     return std::sqrt(double(squares));
+  }
+
+  // The same between samples, too: the least of one side's sample and the other side's half way to the next ones, where
+  // vectors are linear. A loop has no beginning at which samples of two of them would coincide.
+  double between_samples(std::size_t i, std::size_t j) const
+  {
+    return std::sqrt((std::min)(least_square(m_a, i, m_b, j, m_wraps_b), least_square(m_b, j, m_a, i, m_wraps_a)));
   }
 
   // Without what compares a sample with others before and after, if there is anything else: that is changed by a warp.
@@ -67,6 +77,29 @@ public:
   double relative(double sum) const { return m_norm > 0 ? (std::min)(sum / m_norm, 1.) : 0; }
 
 private:
+  // of sample i of x to those from half a sample before to half a sample after j of y.
+  double least_square(const std::vector<float>& x, std::size_t i, const std::vector<float>& y, std::size_t j,
+                      bool wraps) const
+  {
+    const std::size_t size = y.size() / m_width;
+    const std::size_t before = j > 0 ? j - 1 : wraps ? size - 1 : 0, after = j + 1 < size ? j + 1 : wraps ? 0 : j;
+    const float *p = &x[i * m_width], *q = &y[j * m_width];
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t other : {before, after}) {
+      const float* r = &y[other * m_width];
+      double pp = 0, pe = 0, ee = 0; // of p - q and half of the step e from q to r
+      for (std::size_t k = 0; k < m_width; ++k) {
+        const double d = double(p[k]) - double(q[k]), e = (double(r[k]) - double(q[k])) / 2;
+        pp += d * d;
+        pe += d * e;
+        ee += e * e;
+      }
+      const double along = ee > 0 ? (std::min)((std::max)(pe / ee, 0.), 1.) : 0;
+      least = (std::min)(least, (std::max)(pp - 2 * along * pe + along * along * ee, 0.));
+    }
+    return least;
+  }
+
   Vector_sequence instants(const std::vector<float>& vectors) const
   {
     if (!m_has_instants) return Vector_sequence(vectors, m_width);
@@ -125,7 +158,7 @@ private:
   }
 
   std::size_t m_recurrence, m_width; // numbers of a vector: the mean, the recurrence, and places if there are any
-  bool m_has_instants = false;
+  bool m_has_instants = false, m_wraps_a = false, m_wraps_b = false;
   std::vector<float> m_a, m_b;
   double m_norm = 0;
 };

@@ -20,7 +20,7 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// The sums over vertices that an activity is made of.
+// The sums over vertices that an activity is made of. Of a loop the first sample follows the last one.
 class Activity_sums
 {
 public:
@@ -32,12 +32,13 @@ public:
     , m_lags(o.lags)
     , m_lag((std::max)(std::size_t(1), std::size_t(std::lround(o.lag_step / o.sample_duration))))
     , m_sample_duration(o.sample_duration)
+    , m_is_cyclic(o.is_cyclic)
     , m_classes(has_places ? centres.size() : 0)
     , m_step((samples + coarse - 1) / coarse)
     , m_mean(samples, 0)
     , m_recurrence(samples * o.lags, 0)
     , m_places(samples * m_classes, 0)
-    , m_profile((samples - 1) / m_step + 1, 0)
+    , m_profile(o.is_cyclic ? m_samples / m_step : (samples - 1) / m_step + 1, 0)
   {}
 
   std::size_t samples() const { return m_samples; }
@@ -48,9 +49,11 @@ public:
   {
     m_row.resize(m_samples);
     for (std::size_t t = 0; t < m_samples; ++t) {
-      const double at = double(t) / double(m_samples - 1) * double(frames - 1);
-      const std::size_t f = (std::min)(std::size_t(at), frames - 2);
-      m_row[t] = double(row[f]) + (at - double(f)) * (double(row[f + 1]) - double(row[f]));
+      const double at = m_is_cyclic ? double(t) / double(m_samples) * double(frames)
+                                    : double(t) / double(m_samples - 1) * double(frames - 1);
+      const std::size_t f = (std::min)(std::size_t(at), m_is_cyclic ? frames - 1 : frames - 2);
+      const std::size_t next = f + 1 < frames ? f + 1 : 0;
+      m_row[t] = double(row[f]) + (at - double(f)) * (double(row[next]) - double(row[f]));
     }
     m_area += area;
     double sum = 0, squares = 0;
@@ -62,17 +65,18 @@ public:
     for (std::size_t t = 0; t < m_samples; ++t) m_mean[t] += area * m_row[t];
     for (std::size_t l = 0; l < m_lags; ++l)
       for (std::size_t t = 0; t < m_samples; ++t) {
-        const double d = m_row[t] - m_row[(std::min)(t + (l + 1) * m_lag, m_samples - 1)];
+        const double d = m_row[t] - m_row[later(t, (l + 1) * m_lag)];
         m_recurrence[l * m_samples + t] += area * d * d;
       }
     if (m_classes > 0) add_places(area, eccentricity);
     for (std::size_t k = 1; k < m_profile.size(); ++k) {
+      const std::size_t times = m_is_cyclic ? m_profile.size() : m_profile.size() - k;
       double differences = 0;
-      for (std::size_t t = 0; t + k < m_profile.size(); ++t) {
-        const double d = m_row[t * m_step] - m_row[(t + k) * m_step];
+      for (std::size_t t = 0; t < times; ++t) {
+        const double d = m_row[t * m_step] - m_row[later(t * m_step, k * m_step)];
         differences += d * d;
       }
-      m_profile[k] += area * differences / double(m_profile.size() - k);
+      m_profile[k] += area * differences / double(times);
     }
   }
 
@@ -96,6 +100,7 @@ public:
     a.sample_duration = m_sample_duration;
     a.lags = m_lags;
     a.classes = m_classes;
+    a.is_cyclic = m_is_cyclic;
     a.mean.assign(m_samples, 0);
     a.recurrence.assign(m_samples * 2 * m_lags, 0);
     a.places.assign(m_samples * m_classes, 0);
@@ -113,14 +118,18 @@ public:
         for (std::size_t l = 0; l < m_lags; ++l) {
           const std::size_t lag = (l + 1) * m_lag;
           // at the beginning the first sample stands for those before it
-          const double later = m_recurrence[l * m_samples + t];
-          const double earlier = t >= lag ? m_recurrence[l * m_samples + t - lag] : from_first(t, l);
-          a.recurrence[t * 2 * m_lags + l] = float(std::sqrt(later / unit));
-          a.recurrence[t * 2 * m_lags + m_lags + l] = float(std::sqrt(earlier / unit));
+          const double after = m_recurrence[l * m_samples + t];
+          const double before = m_is_cyclic
+                                    ? m_recurrence[l * m_samples + (t + m_samples - lag % m_samples) % m_samples]
+                                : t >= lag ? m_recurrence[l * m_samples + t - lag]
+                                           : from_first(t);
+          a.recurrence[t * 2 * m_lags + l] = float(std::sqrt(after / unit));
+          a.recurrence[t * 2 * m_lags + m_lags + l] = float(std::sqrt(before / unit));
         }
       std::vector<double> profile = m_profile;
       for (double& x : profile) x /= 2 * m_variance;
-      a.cycle = find_cycle(profile, double(m_step) * m_sample_duration);
+      a.cycle = find_cycle(profile, double(m_step) * m_sample_duration, m_is_cyclic ? 0 : 1);
+      if (m_is_cyclic) a.cycle = cycle_of_loop(a.cycle, a.duration());
     }
     double places = 0;
     for (double x : m_places) places += x * x;
@@ -133,9 +142,15 @@ public:
 private:
   static constexpr std::size_t coarse = 128; // samples for the search for a cycle
 
+  // That of a number of samples later: of a loop around its end, else the last one at most.
+  std::size_t later(std::size_t t, std::size_t lag) const
+  {
+    return m_is_cyclic ? (t + lag) % m_samples : (std::min)(t + lag, m_samples - 1);
+  }
+
   // The difference from the first sample is among the differences to later ones where a lag fits; else it is that of
   // the nearest lag that does.
-  double from_first(std::size_t t, std::size_t) const
+  double from_first(std::size_t t) const
   {
     const std::size_t l = t / m_lag;
     return l == 0 ? 0 : m_recurrence[(l - 1) * m_samples + t - l * m_lag];
@@ -154,6 +169,7 @@ private:
 
   std::size_t m_samples, m_lags, m_lag; // the lag in samples
   double m_sample_duration;
+  bool m_is_cyclic;
   std::size_t m_classes, m_step;
   double m_area = 0, m_variance = 0;
   std::vector<double> m_mean, m_recurrence, m_places; // m_recurrence: squares, lag by lag

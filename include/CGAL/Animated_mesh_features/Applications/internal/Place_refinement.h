@@ -15,6 +15,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -25,15 +26,20 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
-// Draws the vertices of a level to where its triangles are nearest to the original, in the sense of least squares over
-// samples of both surfaces (H. Hoppe and others, Mesh optimization, 1993). Quadrics are of planes, which reach far beyond
-// the triangles that they come from: where many were summed up, their least value is not where the surface is.
+// Draws the vertices of a level to where its triangles are nearest to the original, over samples of both surfaces (H. Hoppe
+// and others, Mesh optimization, 1993). Quadrics are of planes, which reach far beyond the triangles that they come from:
+// where many were summed up, their least value is not where the surface is.
 //
-// Samples are the vertices of either surface and the centres of its triangles, unless these are small, each with the nearest point of the other
-// one near by; n is the unit vector between them, e their distance. If the corners of the level's triangle move by d_i, the
-// distance becomes e + n . sum b_i d_i, with the barycentric coordinates b_i of the sample. Its square is convex, so it is
-// no more than sum b_i (e + n . d_i)^2: a plane for each corner. So all corners move at the same time, and the sum of
-// squares does not grow.
+// Samples are the vertices of either surface and the centres of its triangles, unless these are small, each with the
+// nearest point of the other one near by; n is the unit vector between them, e their distance. If the corners of the
+// level's triangle move by d_i, the distance becomes e + n . sum b_i d_i, with the barycentric coordinates b_i of the
+// sample. Its square is convex, so it is no more than sum b_i (e + n . d_i)^2: a plane for each corner, and all corners move
+// at the same time.
+//
+// It is the mean distance that is to be small, not the mean square, of which a few far samples are most. So a square counts
+// by 1 / (e + s), where s is twice the mean distance in the pose: what becomes less is the sum of e - s log(1 + e / s), of
+// distances where they are large (R. C. Fair, On the robust estimation of econometric models, 1974), for such weights
+// bound it by squares that touch it at e.
 class Place_refinement
 {
 public:
@@ -96,8 +102,21 @@ public:
       at.weights.push_back(weight(v));
     }
     for (Index v : m_vertices) at.level.push_back(point(current, v, pose));
-    add_samples_of_original(at, pose, quadrics);
-    add_samples_of_level(at, pose, quadrics);
+    std::vector<Sample> samples;
+    sample_original(at, samples);
+    sample_level(at, samples);
+    double sum = 0, area = 0;
+    for (const Sample& s : samples) {
+      sum += s.weight * s.distance;
+      area += s.weight;
+    }
+    if (!(area > 0)) return;
+    const double small = (std::max)(far_of_mean * sum / area, touching);
+    for (const Sample& s : samples)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (s.place[i] > 0)
+          quadrics.add_plane(s.corners[i], pose, s.normal, at.level[s.corners[i]] - s.distance * s.normal,
+                             s.place[i] * s.weight / (s.distance + small));
   }
 
 private:
@@ -110,6 +129,18 @@ private:
     std::vector<double> weights; // of the original
   };
 
+  // A point of either surface and the nearest one of the other.
+  struct Sample
+  {
+    Triangle corners;            // of the level, by number
+    std::array<double, 3> place; // barycentric coordinates of the level's point
+    Point normal;                // unit vector from the original to the level; that of the triangle where they touch
+    double distance, weight;
+  };
+
+  // Distances above so many means are large. With one, more of the mean is gained on meshes that crumple, and lost from the
+  // largest distances of all.
+  static constexpr double far_of_mean = 2;
   // nearer than this, in the unit of positions, surfaces touch
   static constexpr double touching = 1e-6;
   // A square of a linear function has the mean of 3/4 of its value at the centre of a triangle and 1/12 of those at
@@ -122,7 +153,7 @@ private:
     return Point(x[0], x[1], x[2]);
   }
 
-  void add_samples_of_original(const Pose_surfaces& at, std::size_t pose, Pose_quadrics& quadrics) const
+  void sample_original(const Pose_surfaces& at, std::vector<Sample>& samples) const
   {
     std::vector<double> shares(at.original.size(), 0);
     for (std::size_t k = 0; k < m_has_centre.size(); ++k) {
@@ -136,18 +167,18 @@ private:
         sum += w / 3;
       }
       if (m_has_centre[k] != 0)
-        add_sample(at, (a + b + c) / 3, {{m_number_of[t[0]], m_number_of[t[1]], m_number_of[t[2]]}}, centre_share * sum,
-                   pose, quadrics);
+        sample(at, (a + b + c) / 3, {{m_number_of[t[0]], m_number_of[t[1]], m_number_of[t[2]]}}, centre_share * sum,
+               samples);
     }
     for (std::size_t v = 0; v < shares.size(); ++v) {
       const Index k = m_number_of[v];
-      if (shares[v] > 0) add_sample(at, at.original[v], {{k, k, k}}, shares[v], pose, quadrics);
+      if (shares[v] > 0) sample(at, at.original[v], {{k, k, k}}, shares[v], samples);
     }
   }
 
   // `near`: numbers of vertices around which the nearest point is looked for
-  void add_sample(const Pose_surfaces& at, const Point& p, const Triangle& near, double weight, std::size_t pose,
-                  Pose_quadrics& quadrics) const
+  void sample(const Pose_surfaces& at, const Point& p, const Triangle& near, double weight,
+              std::vector<Sample>& samples) const
   {
     double least = (std::numeric_limits<double>::max)();
     Point nearest = p;
@@ -165,19 +196,20 @@ private:
     const Triangle& c = m_triangles[triangle];
     const Point x[3] = {at.level[c[0]], at.level[c[1]], at.level[c[2]]};
     const Point normal = (x[1] - x[0]).cross(x[2] - x[0]);
-    const double nn = normal.squaredNorm(), distance = std::sqrt(least);
+    const double nn = normal.squaredNorm();
     if (!(nn > 0)) return;
-    const bool touches = !(distance > touching);
-    const Point n = touches ? Point(normal / std::sqrt(nn)) : Point((nearest - p) / distance);
+    Sample s = between(p, nearest, normal / std::sqrt(nn));
+    s.corners = c;
     for (std::size_t i = 0; i < 3; ++i) {
       const Point& next = x[(i + 1) % 3];
-      const double b = (x[(i + 2) % 3] - next).cross(nearest - next).dot(normal) / nn;
-      if (b > 0) quadrics.add_plane(c[i], pose, n, touches ? x[i] : Point(x[i] - distance * n), b * weight);
+      s.place[i] = (x[(i + 2) % 3] - next).cross(nearest - next).dot(normal) / nn;
     }
+    s.weight = weight;
+    samples.push_back(s);
   }
 
   // Without these, what no sample of the original is near to would go anywhere.
-  void add_samples_of_level(const Pose_surfaces& at, std::size_t pose, Pose_quadrics& quadrics) const
+  void sample_level(const Pose_surfaces& at, std::vector<Sample>& samples) const
   {
     std::vector<double> shares(at.level.size(), 0);
     for (const Triangle& t : m_triangles) {
@@ -187,21 +219,32 @@ private:
       for (Index k : t) shares[k] += corner_share * area;
       if (!(area > 0)) continue;
       const Index v = nearest_taken(at, centre, t);
-      const Point step = centre - nearest_around(at, centre, v);
-      const double distance = step.norm();
-      const bool touches = !(distance > touching);
-      const Point n = touches ? Point(normal / (2 * area)) : Point(step / distance);
-      for (Index k : t)
-        quadrics.add_plane(k, pose, n, touches ? at.level[k] : Point(at.level[k] - step),
-                           at.weights[v] * centre_share * area / 3);
+      Sample s = between(nearest_around(at, centre, v), centre, normal / (2 * area));
+      s.corners = t;
+      s.place = {{1. / 3, 1. / 3, 1. / 3}};
+      s.weight = at.weights[v] * centre_share * area;
+      samples.push_back(s);
     }
     for (std::size_t k = 0; k < shares.size(); ++k) {
       const Index v = nearest_taken(at, at.level[k], {{Index(k), Index(k), Index(k)}});
-      const Point step = at.level[k] - nearest_around(at, at.level[k], v);
-      const double distance = step.norm();
-      if (distance > touching)
-        quadrics.add_plane(k, pose, step / distance, at.level[k] - step, at.weights[v] * shares[k]);
+      Sample s = between(nearest_around(at, at.level[k], v), at.level[k], Point(0, 0, 0));
+      s.corners = {{Index(k), Index(k), Index(k)}};
+      s.place = {{1, 0, 0}};
+      s.weight = at.weights[v] * shares[k];
+      samples.push_back(s);
     }
+  }
+
+  // `normal`: where they touch
+  static Sample between(const Point& original, const Point& level, const Point& normal)
+  {
+    Sample s;
+    const Point step = level - original;
+    s.distance = step.norm();
+    const bool touches = !(s.distance > touching);
+    s.normal = touches ? normal : Point(step / s.distance);
+    if (touches) s.distance = 0;
+    return s;
   }
 
   // of the vertices whose place these have taken, the one nearest to p

@@ -115,6 +115,26 @@ public:
     m_turns.add_sides(i, j, c.side);
   }
 
+  // The same on the edge, from 0 at i to 1 at j, for what place() was called for before.
+  void place_between(std::size_t i, std::size_t j, double t, Collapse& c)
+  {
+    c.followed.clear();
+    if (t < 1) c.followed.add(m_followed[i], 1 - t);
+    if (t > 0) c.followed.add(m_followed[j], t);
+    if (c.followed.size() > m_support) c.followed.keep_largest(m_support);
+    follow(c.followed, c.place);
+  }
+
+  // of an edge whose vertex has that place: the sum of its quadrics there, no less than cost(i, j)
+  double cost(std::size_t i, std::size_t j, const Collapse& c) const
+  {
+    double sum = 0;
+    for (std::size_t p = 0; p < m_quadrics.number_of_poses(); ++p)
+      sum += (std::max)(
+          0., value(m_quadrics.sum(i, j, p), {{double(c.place[0][p]), double(c.place[1][p]), double(c.place[2][p])}}));
+    return sum;
+  }
+
   // Whether the triangle of these vertices, of which the first moves, turns over in any column.
   bool turns(std::size_t moved, std::size_t b, std::size_t d, const Collapse& c) const
   {

@@ -20,6 +20,14 @@ namespace CGAL {
 namespace Animated_mesh_features {
 namespace internal {
 
+// Where a way begins and ends: anywhere on the edges, samples without partner costing something; or at the first samples
+// of both, and at the last ones.
+enum class Warping_ends
+{
+  OPEN,
+  FIXED
+};
+
 // Dynamic time warping of n against m samples (Sakoe and Chiba 1978) in steps of (1, 1), (1, q) and (q, 1), q up to the
 // largest slope; each sample of either side counts once. Samples that have no partner at the beginning and at the end
 // are compared with the first or last one of the other side, and count by `end_weight`. A step of (1, q) or (q, 1) costs
@@ -32,8 +40,9 @@ public:
   // cost(i, j) is asked once for each pair.
   template <class Cost>
   Time_warping(std::size_t n, std::size_t m, const Cost& cost, std::size_t max_slope, double end_weight,
-               double bend_cost)
+               double bend_cost, Warping_ends ends = Warping_ends::OPEN)
     : m_m(m)
+    , m_has_fixed_ends(ends == Warping_ends::FIXED)
     , m_end_weight(end_weight)
     , m_bend_cost(bend_cost)
     , m_costs(n * m)
@@ -70,10 +79,10 @@ private:
       std::vector<double>& row = rows[i % kept];
       const auto above = [&](std::size_t q) -> const std::vector<double>& { return rows[(i - q) % kept]; };
       start += (i == 0 ? 2 : m_end_weight) * local(i, 0);
-      row[0] = start;
+      row[0] = i > 0 && m_has_fixed_ends ? infinity : start;
       for (std::size_t j = 1; j < m_m; ++j) {
         if (i == 0) {
-          row[j] = row[j - 1] + m_end_weight * local(0, j);
+          row[j] = m_has_fixed_ends ? infinity : row[j - 1] + m_end_weight * local(0, j);
           continue;
         }
         double best = above(1)[j - 1] + 2 * local(i, j);
@@ -108,6 +117,25 @@ private:
   {
     m_cost = m_last_row[m_m - 1];
     Point end(n - 1, m_m - 1);
+    if (!m_has_fixed_ends) leave_out_ends(n, end);
+    if (!(m_cost < (std::numeric_limits<double>::infinity)())) return; // the slope is too small to get there
+    for (;;) {
+      m_path.push_back(end);
+      const std::uint8_t step = m_steps[end.first * m_m + end.second];
+      if (step == 0) break;
+      if (step < 128) {
+        end.first -= 1;
+        end.second -= step;
+      } else {
+        end.first -= std::size_t(step - 128);
+        end.second -= 1;
+      }
+    }
+    std::reverse(m_path.begin(), m_path.end());
+  }
+
+  void leave_out_ends(std::size_t n, Point& end)
+  {
     double rest = 0;
     for (std::size_t j = m_m - 1; j-- > 0;) {
       rest += m_end_weight * local(n - 1, j + 1);
@@ -124,22 +152,10 @@ private:
         end = {i, m_m - 1};
       }
     }
-    for (;;) {
-      m_path.push_back(end);
-      const std::uint8_t step = m_steps[end.first * m_m + end.second];
-      if (step == 0) break;
-      if (step < 128) {
-        end.first -= 1;
-        end.second -= step;
-      } else {
-        end.first -= std::size_t(step - 128);
-        end.second -= 1;
-      }
-    }
-    std::reverse(m_path.begin(), m_path.end());
   }
 
   std::size_t m_m;
+  bool m_has_fixed_ends;
   double m_end_weight, m_bend_cost, m_cost = 0;
   std::vector<float> m_costs;
   std::vector<std::uint8_t> m_steps;

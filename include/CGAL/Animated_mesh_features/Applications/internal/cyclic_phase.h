@@ -8,6 +8,7 @@
 #define CGAL_ANIMATED_MESH_FEATURES_APPLICATIONS_INTERNAL_CYCLIC_PHASE_H
 
 #include <CGAL/Animated_mesh_features/Applications/Activity.h>
+#include <CGAL/Animated_mesh_features/Applications/Time_alignment.h>
 #include <CGAL/Animated_mesh_features/Applications/internal/Activity_cost.h>
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
@@ -43,6 +44,19 @@ inline double cyclic_phase(const Activity& a, const Activity& b, const Activity_
   const double shift = bend > 0 ? (before - after) / (2 * bend) : 0;
   const double phase = -(double(best) + shift) / double(shifts);
   return phase - std::round(phase);
+}
+
+// The same of two loops by their map: how far, in the mean, the second one is ahead, as a share of the loop.
+inline double phase_of_loops(const Time_alignment& alignment)
+{
+  const std::vector<double>&a = alignment.times_a, &b = alignment.times_b;
+  if (a.size() < 2) return 0;
+  const double length_a = a.back() - a.front(), length_b = b.back() - b.front();
+  const auto ahead = [&](std::size_t k) { return a[k] / length_a - b[k] / length_b; };
+  double sum = 0;
+  for (std::size_t k = 1; k < a.size(); ++k)
+    sum += (ahead(k - 1) + ahead(k)) / 2 * ((a[k] - a[k - 1]) / length_a + (b[k] - b[k - 1]) / length_b) / 2;
+  return sum - std::round(sum);
 }
 
 } // namespace internal

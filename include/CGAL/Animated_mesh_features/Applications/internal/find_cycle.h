@@ -10,6 +10,7 @@
 #include <CGAL/Animated_mesh_features/Applications/Activity.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -19,7 +20,9 @@ namespace internal {
 
 // A motion repeats itself after the first lag at which it is about as much like itself as at any lag but 0. `profile`:
 // the mean squared difference at each lag, relative to that of any two times, which is 1; `step` seconds between lags.
-inline Cycle find_cycle(const std::vector<double>& profile, double step)
+// `least` is the difference at larger lags: 1, as nothing is known of them, or 0 of a loop, which is the same again after
+// its whole duration.
+inline Cycle find_cycle(const std::vector<double>& profile, double step, double least)
 {
   const double most = 0.35;                     // of the difference at a period
   const double rise = 0.35;                     // from the period to what is before it
@@ -29,7 +32,7 @@ inline Cycle find_cycle(const std::vector<double>& profile, double step)
     return profile[k] <= profile[k - 1] && profile[k] <= profile[k + 1] && profile[k] < most &&
            highest - profile[k] >= rise;
   };
-  double highest = 0, best = 1;
+  double highest = 0, best = least;
   for (std::size_t k = 1; k < n; ++k) {
     if (is_minimum(k, highest)) best = (std::min)(best, profile[k]);
     highest = (std::max)(highest, profile[k]);
@@ -44,6 +47,13 @@ inline Cycle find_cycle(const std::vector<double>& profile, double step)
     highest = (std::max)(highest, profile[k]);
   }
   return Cycle();
+}
+
+// A loop is a whole number of cycles; the one that is found, or else one.
+inline Cycle cycle_of_loop(const Cycle& found, double duration)
+{
+  if (!(found.period > 0)) return {duration, 1};
+  return {duration / (std::max)(std::round(duration / found.period), 1.), found.strength};
 }
 
 } // namespace internal

@@ -13,7 +13,9 @@
 #include <CGAL/Animated_mesh_features/Numerics/parallel/Cancellation_scope.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -28,9 +30,10 @@ struct Candidate_pair
   double difference;
 };
 
-// Pairs that are worth looking at, by ranks; each once.
-inline std::vector<Candidate_pair> candidate_pairs(const Described_features& a, const Described_features& b,
-                                                   const Matching_options& o)
+// Pairs that are worth looking at, by ranks; each once. Those of which `may_match(i, j)` is false are none.
+template <class MayMatch>
+std::vector<Candidate_pair> candidate_pairs(const Described_features& a, const Described_features& b,
+                                            const Matching_options& o, const MayMatch& may_match)
 {
   const std::vector<std::size_t> of_a = strongest_features(a.features, o.top);
   const std::vector<std::size_t> of_b = strongest_features(b.features, o.top);
@@ -38,7 +41,9 @@ inline std::vector<Candidate_pair> candidate_pairs(const Described_features& a, 
   std::vector<double> differences(n * m);
   for (std::size_t i = 0; i < n; ++i) {
     cancellation_point();
-    for (std::size_t j = 0; j < m; ++j) differences[i * m + j] = feature_difference(a, of_a[i], b, of_b[j], o);
+    for (std::size_t j = 0; j < m; ++j)
+      differences[i * m + j] = may_match(of_a[i], of_b[j]) ? feature_difference(a, of_a[i], b, of_b[j], o)
+                                                           : std::numeric_limits<double>::infinity();
   }
 
   // how often a pair is among the nearest of either of its features, and how often it is the nearest
@@ -63,7 +68,7 @@ inline std::vector<Candidate_pair> candidate_pairs(const Described_features& a, 
   std::vector<Candidate_pair> result;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < m; ++j)
-      if (o.mutual_nearest ? nearest[i * m + j] == 2 : near[i * m + j] > 0)
+      if (std::isfinite(differences[i * m + j]) && (o.mutual_nearest ? nearest[i * m + j] == 2 : near[i * m + j] > 0))
         result.push_back({of_a[i], of_b[j], differences[i * m + j]});
   return result;
 }

@@ -70,12 +70,25 @@ private:
     const double x = double(m_a.distances[c.a * m_a.features.size() + d.a]);
     const double y = double(m_b.distances[c.b * m_b.features.size() + d.b]);
     const double in_space = std::abs(x - y) / (m_options.distance_tolerance * (1 + (std::max)(x, y) / 2));
-    const double s = da.time - ca.time, t = db.time - cb.time;
+    const auto [late, apart] = times(da.time - ca.time, db.time - cb.time);
     // events are known to within a part of their durations
     const double exact = 0.2 * (ca.tau + da.tau + cb.tau + db.tau) / 2;
-    const double in_time = std::abs(s - t) / (exact + m_options.time_tolerance * (std::max)(std::abs(s), std::abs(t)));
+    const double in_time = late / (exact + m_options.time_tolerance * apart);
     if (in_space >= 1 || in_time >= 1) return 0;
     return (1 - in_space * in_space) * (1 - in_time * in_time);
+  }
+
+  // By how much two differences of times differ, and the larger one. In loops they are known but for ways around; of two
+  // loops that are about as long, these are the same.
+  std::pair<double, double> times(double s, double t) const
+  {
+    const double p = m_a.loop, q = m_b.loop;
+    if (!(p > 0) && !(q > 0)) return {std::abs(s - t), (std::max)(std::abs(s), std::abs(t))};
+    const double shorter = p > 0 && q > 0 ? (std::min)(p, q) : (std::max)(p, q);
+    const bool is_one_way = p > 0 && q > 0 && (std::max)(p, q) < 1.5 * shorter;
+    const double late = is_one_way ? std::remainder(s / p - t / q, 1) * (p + q) / 2 : std::remainder(s - t, shorter);
+    return {std::abs(late), (std::max)(std::abs(std::remainder(s, p > 0 ? p : shorter)),
+                                       std::abs(std::remainder(t, q > 0 ? q : shorter)))};
   }
 
   double likeness(const Candidate_pair& c) const { return std::exp(-c.difference * c.difference / 2); }
