@@ -110,8 +110,9 @@ private:
   void find_overlaps(std::size_t i, std::size_t v, double distance)
   {
     const Feature& f = (*m_features)[i];
-    for (const auto& [tau, row] : m_at_vertex.at(v)) {
-      const double window = reach * (std::max)(f.tau, std::exp2(tau + 1));
+    for (const auto& of_octave : m_at_vertex.at(v)) {
+      const auto& row = of_octave.second;
+      const double window = reach * (std::max)(f.tau, std::exp2(of_octave.first + 1));
       const auto around = [&](double time) {
         auto k = std::lower_bound(row.begin(), row.end(), std::make_pair(time - window, std::size_t(0)));
         for (; k != row.end() && k->first <= time + window; ++k) add(i, k->second, distance);
