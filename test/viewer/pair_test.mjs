@@ -78,6 +78,18 @@ export async function testPair({ open, check, near, set, state, pair }) {
   await page.keyboard.press("r");
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   check((await views()).every((view) => view.every((x, k) => Math.abs(x - before[0][k]) < 1e-4)), "both show the whole body again");
+  // another body: twice as large, turned, with another axis upright; of nine pairs two are wrong
+  const bearing = await page.evaluate(() => {
+    const places = [...Array(9).keys()].map((i) => [Math.sin(3 * i), Math.cos(5 * i + 1), Math.sin(7 * i + 2)]), angle = 1.7;
+    const there = ([x, y, z]) => [Math.cos(angle) * x - Math.sin(angle) * y, z, -Math.sin(angle) * x - Math.cos(angle) * y];
+    const partners = places.map((place) => there(place).map((x) => 2 * x));
+    partners.splice(3, 2, [9, 9, 9], [-8, 5, 0]);
+    const found = new viewer.companion.bearing.constructor(places, partners), up = found.upOfSecond("z", "z");
+    return { up, direction: found.toSecond([0.6, 0, 0.8], "z", up), expected: there([0.6, 0, 0.8]), back: found.toFirst(there([0.6, 0, 0.8]), "z", up) };
+  });
+  check(bearing.up === "y", "the other axis points up");
+  bearing.expected.forEach((x, k) => near(bearing.direction[k], x, 1e-9, "a direction at the other body, whatever two of the pairs say"));
+  [0.6, 0, 0.8].forEach((x, k) => near(bearing.back[k], x, 1e-9, "and back"));
   await page.screenshot({ path: "pair.png" });
   const [inner, outer] = await page.evaluate(() => [viewer.companion.stage.canvas, document.querySelector(".stage")].map((element) => element.clientWidth));
   check(inner > 0.4 * outer && inner < 0.6 * outer, `the second view is ${inner} of ${outer} pixels wide`);

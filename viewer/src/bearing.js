@@ -21,25 +21,47 @@ function around(v, axis, angle) {
   return result;
 }
 
-const centred = (points) => {
-  const middle = [0, 1, 2].map((c) => points.reduce((sum, p) => sum + p[c], 0) / points.length);
-  return points.map((p) => p.map((x, c) => x - middle[c]));
-};
+const KEPT = 3 / 4; // of the pairs; single ones join a foot to a head
+const STEPS = 20;
+
+const middle = (points) => [0, 1, 2].map((c) => points.reduce((sum, p) => sum + p[c], 0) / points.length);
+const square = (v) => v.reduce((sum, x) => sum + x * x, 0);
+
+/** Of the pairs `kept`, the rotation around the upright, and the scale, that bring places nearest to their partners. */
+function fit(places, partners, kept, up) {
+  const [a, b] = up === "y" ? [2, 0] : [0, 1], [o, m] = [places, partners].map((points) => middle(kept.map((k) => points[k])));
+  const from = (points, origin) => points.map((x) => x.map((value, c) => value - origin[c]));
+  const p = from(places, o), q = from(partners, m);
+  let along = 0, across = 0, own = 0, other = 0;
+  for (const k of kept) {
+    along += p[k][a] * q[k][a] + p[k][b] * q[k][b];
+    across += p[k][a] * q[k][b] - p[k][b] * q[k][a];
+    own += square(p[k]);
+    other += square(q[k]);
+  }
+  const angle = Math.atan2(across, along), scale = own > 0 ? Math.sqrt(other / own) : 1;
+  const misses = p.map((x, k) => square(around(x, up, angle).map((value, c) => scale * value - q[k][c])));
+  return { angle, misses };
+}
 
 /**
  * What brings directions at one body to another one, `from` and `to` being the axes that point up: the rotation around the
- * upright that brings places nearest to their partners. `agreement` tells how well, for the choice of an axis.
+ * upright that brings places nearest to their partners, but for a quarter of the pairs, those that fit least (least trimmed
+ * squares by concentration, Rousseeuw and Van Driessen 2006). `miss`, the sum of squares that is left, is for the choice of
+ * an axis.
  */
 function turnBetween(places, partners, from, to) {
-  const up = to === "y" ? 1 : 2, [a, b] = up === 1 ? [2, 0] : [0, 1], q = centred(partners);
-  let along = 0, across = 0, vertical = 0;
-  centred(places).map((x) => upright(x, from, to)).forEach((p, i) => {
-    along += p[a] * q[i][a] + p[b] * q[i][b];
-    across += p[a] * q[i][b] - p[b] * q[i][a];
-    vertical += p[up] * q[i][up];
-  });
-  const angle = Math.atan2(across, along);
-  return { angle: Math.abs(angle) < LEAST_ANGLE ? 0 : angle, agreement: vertical + Math.hypot(along, across) };
+  const p = places.map((x) => upright(x, from, to)), all = [...places.keys()], fewer = Math.ceil(KEPT * all.length);
+  let kept = all, found;
+  for (let step = 0; step < STEPS; ++step) {
+    found = fit(p, partners, kept, to);
+    const { misses } = found, next = [...all].sort((i, k) => misses[i] - misses[k] || i - k).slice(0, fewer);
+    const isSame = next.length === kept.length && next.every((k) => kept.includes(k));
+    kept = next;
+    if (isSame) break;
+  }
+  const miss = kept.reduce((sum, k) => sum + found.misses[k], 0);
+  return { angle: Math.abs(found.angle) < LEAST_ANGLE ? 0 : found.angle, miss };
 }
 
 export class Bearing {
@@ -52,8 +74,8 @@ export class Bearing {
   /** The axis that points up at the second body; `own` is what it is by itself. */
   upOfSecond(upOfFirst, own) {
     if (this.places.length < FEWEST) return own;
-    const agreement = (axis) => turnBetween(this.places, this.partners, upOfFirst, axis).agreement;
-    return agreement("z") > agreement("y") ? "z" : "y";
+    const miss = (axis) => turnBetween(this.places, this.partners, upOfFirst, axis).miss;
+    return miss("z") < miss("y") ? "z" : "y";
   }
 
   angle(upOfFirst, upOfSecond) {
