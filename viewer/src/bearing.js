@@ -9,6 +9,7 @@
 
 const FEWEST = 4; // pairs; with fewer, both are taken to stand alike
 const LEAST_ANGLE = Math.PI / 10; // less comes from how bodies differ, and is taken for none
+const ERRORS = 3; // so many standard errors of the angle, too
 
 /** The same direction where another axis points up, y or z. */
 export const upright = ([x, y, z], from, to) => (from === to ? [x, y, z] : from === "y" ? [x, -z, y] : [x, z, -y]);
@@ -32,23 +33,25 @@ function fit(places, partners, kept, up) {
   const [a, b] = up === "y" ? [2, 0] : [0, 1], [o, m] = [places, partners].map((points) => middle(kept.map((k) => points[k])));
   const from = (points, origin) => points.map((x) => x.map((value, c) => value - origin[c]));
   const p = from(places, o), q = from(partners, m);
-  let along = 0, across = 0, own = 0, other = 0;
+  let along = 0, across = 0, own = 0, other = 0, lever = 0;
   for (const k of kept) {
     along += p[k][a] * q[k][a] + p[k][b] * q[k][b];
     across += p[k][a] * q[k][b] - p[k][b] * q[k][a];
     own += square(p[k]);
     other += square(q[k]);
+    lever += q[k][a] ** 2 + q[k][b] ** 2;
   }
   const angle = Math.atan2(across, along), scale = own > 0 ? Math.sqrt(other / own) : 1;
   const misses = p.map((x, k) => square(around(x, up, angle).map((value, c) => scale * value - q[k][c])));
-  return { angle, misses };
+  return { angle, misses, lever };
 }
 
 /**
  * What brings directions at one body to another one, `from` and `to` being the axes that point up: the rotation around the
  * upright that brings places nearest to their partners, but for a quarter of the pairs, those that fit least (least trimmed
  * squares by concentration, Rousseeuw and Van Driessen 2006). `miss`, the sum of squares that is left, is for the choice of
- * an axis.
+ * an axis. An angle that may be an error of few and rough pairs is none: its standard error is that of a coordinate over the
+ * root of the sum of squares of horizontal distances.
  */
 function turnBetween(places, partners, from, to) {
   const p = places.map((x) => upright(x, from, to)), all = [...places.keys()], fewer = Math.ceil(KEPT * all.length);
@@ -61,7 +64,9 @@ function turnBetween(places, partners, from, to) {
     if (isSame) break;
   }
   const miss = kept.reduce((sum, k) => sum + found.misses[k], 0);
-  return { angle: Math.abs(found.angle) < LEAST_ANGLE ? 0 : found.angle, miss };
+  const unknowns = 5; // a place, an angle and a scale
+  const error = Math.sqrt(miss / (3 * kept.length - unknowns) / found.lever);
+  return { angle: Math.abs(found.angle) > Math.max(LEAST_ANGLE, ERRORS * error) ? found.angle : 0, miss };
 }
 
 export class Bearing {
