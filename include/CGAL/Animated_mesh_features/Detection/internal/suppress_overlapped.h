@@ -62,16 +62,17 @@ public:
     : m_features(&features)
     , m_between(between)
     , m_overlaps(features.size())
+    , m_at_vertex(shape.number_of_vertices())
   {
     for (std::size_t i = 0; i < features.size(); ++i)
       m_at_vertex[features[i].vertex_index][octave(features[i].tau)].emplace_back(features[i].time, i);
-    for (auto& [vertex, octaves] : m_at_vertex)
-      for (auto& [tau, row] : octaves) std::sort(row.begin(), row.end());
+    for (Octaves& octaves : m_at_vertex)
+      for (auto& of_octave : octaves) std::sort(of_octave.second.begin(), of_octave.second.end());
     Bounded_dijkstra dijkstra(shape);
     for (std::size_t i = 0; i < features.size(); ++i) {
       const std::array<Rest_shape::Index, 1> source = {{Rest_shape::Index(features[i].vertex_index)}};
       for (Rest_shape::Index v : dijkstra.run(source, reach * features[i].sigma))
-        if (m_at_vertex.count(v) != 0) find_overlaps(i, v, dijkstra.distance(v));
+        if (!m_at_vertex[v].empty()) find_overlaps(i, v, dijkstra.distance(v));
     }
   }
 
@@ -100,6 +101,9 @@ public:
   }
 
 private:
+  // The times and indices of features, by the octave of tau.
+  typedef std::map<int, std::vector<std::pair<double, std::size_t>>> Octaves;
+
   // How far features count, in the larger sigma and tau of the two, and how much they overlap at least.
   static constexpr double reach = 3, least_overlap = 0.03;
 
@@ -110,7 +114,7 @@ private:
   void find_overlaps(std::size_t i, std::size_t v, double distance)
   {
     const Feature& f = (*m_features)[i];
-    for (const auto& of_octave : m_at_vertex.at(v)) {
+    for (const auto& of_octave : m_at_vertex[v]) {
       const auto& row = of_octave.second;
       const double window = reach * (std::max)(f.tau, std::exp2(of_octave.first + 1));
       const auto around = [&](double time) {
@@ -140,7 +144,7 @@ private:
   const std::vector<Feature>* m_features;
   Time_difference m_between;
   std::vector<std::vector<std::pair<std::size_t, double>>> m_overlaps; // of each feature with others
-  std::map<std::size_t, std::map<int, std::vector<std::pair<double, std::size_t>>>> m_at_vertex; // by octave of tau: time, index
+  std::vector<Octaves> m_at_vertex;
 };
 
 } // namespace internal
